@@ -10,7 +10,7 @@ import re
 
 from course.given.places import ROOT
 
-from . import comparisons, meshes
+from . import comparisons, meshes, waves
 
 FIGURES = ROOT / "site" / "static" / "figures"
 LINK = re.compile(r" \(\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)")
@@ -22,6 +22,7 @@ class Inserts:
     def __init__(self, extra):
         """Write their files to extra."""
         self.placed = []
+        waves.write(extra)
         self.made = {**meshes.write(extra), **comparisons.write(extra)}
 
     def put_in(self, text):

@@ -114,6 +114,8 @@ export function show(place) {
   const world = new Sheet([0, GROUND, -0.25, 4.25], "A light, a wall and its shadow", ask);
   const map = new Sheet([0, TEXELS, -MAP_HIGH, 0], "The light's map: a depth in each texel", ask);
   const answer = html("p", { class: "verdict", role: "status" });
+  world.box.classList.add("cut");
+  map.box.classList.add("cut");
   world.handle({ name: "Light", style: "second", step: 0.05, at: START,
                  limits: [0.3, GROUND - 0.3, 2.6, 4], moved: (to) => {
                    position = to;

@@ -79,7 +79,7 @@ export function show(place) {
     "The chosen pixel with its samples, each in the colour of the face that it sees", redraw);
   const price = new Sheet([0, 20, 0, 3.6],
     "How many shades MSAA and supersampling compute", redraw);
-  pixel.box.classList.add("light");
+  pixel.box.classList.add("light", "cut");
   const about = html("p", { class: "about" });
   const tested = html("p", { role: "status" });
   const choose = (samples) => {

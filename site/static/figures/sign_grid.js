@@ -5,7 +5,7 @@ const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
 const RADIUS = 0.75, TUBE = 0.32, BALL = 0.86;
 const RATE = 5, STEPS = 300;
 
-const POINTS = Array.from({ length: COLUMNS * ROWS }, (_, n) => [
+export const POINTS = Array.from({ length: COLUMNS * ROWS }, (_, n) => [
   (n % COLUMNS - (COLUMNS - 1) / 2) * SPACING,
   (Math.floor(n / COLUMNS) - (ROWS - 1) / 2) * SPACING]);
 

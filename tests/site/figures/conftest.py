@@ -3,6 +3,7 @@ import json
 import shutil
 
 import pytest
+from pages import waves
 from reading import NAMES, SOURCE, opened
 from serving import served
 
@@ -33,6 +34,7 @@ def address(tmp_path_factory):
     """A page for each figure, NAME.html."""
     folder = tmp_path_factory.mktemp("figures")
     shutil.copytree(SOURCE, folder / "figures")
+    waves.write(folder)
     for name in NAMES:
         (folder / f"{name}.html").write_text(PAGE.format(name=name))
     with served(folder) as at:

@@ -1,0 +1,199 @@
+/** Lecture 16: which numbers of the grid does one pixel of a picture pull, and by what? */
+import { EYE, isOutside, onStrip, PIXELS, pull, render, STRIP, WIDTH } from "./carving.js";
+import { button, eachFrame, html, player, Sheet } from "./paper.js";
+import { marchingTriangles, POINTS } from "./sign_grid.js";
+
+const RATE = 0.005, MOMENTUM = 0.9, STEPS = 300;
+const TRUTH = [[-0.72, 0.45, 0.4], [0.72, 0.45, 0.4]];         // two discs: x, y, radius
+const FOUND = [[-0.77, 0.36, 0.37], [0.7, 0.56, 0.42]];        // at the start, with a skin
+const SKIN = [0.7, 0.1, 0.44];                                 // half its width and height, y
+const ALBEDO = [0.85, 0.42, 0.12], SUN = [-0.6, -0.8], SKY = 0.3;
+const HEIGHT = 0.11;                                           // of a drawn pixel
+
+const discs = ([x, y], all) =>
+  Math.min(...all.map(([cX, cY, radius]) => Math.hypot(x - cX, y - cY) - radius));
+const skin = ([x, y], [width, height, cY]) =>
+  Math.max(Math.abs(x) - width, Math.abs(y - cY) - height);
+
+/** A pixel's linear colour: paint in the light of sun and sky, in front of white. */
+function colourOf(k, { coverage, hits }, { vertices, segments }) {
+  const hit = hits[k] ?? hits[k - 1] ?? hits[k + 1];
+  if (!hit) return [1, 1, 1];
+  const [p, q] = segments[hit.segment].map((n) => vertices[n].p);
+  const [x, y] = [q[1] - p[1], p[0] - q[0]];
+  const light = SKY + (1 - SKY) * Math.max(0, x * SUN[0] + y * SUN[1]) / Math.hypot(x, y);
+  return ALBEDO.map((albedo) => 1 + coverage[k] * (albedo * light - 1));
+}
+
+/** By what does a pixel pull, and why? */
+function verdict(k, target, { coverage, hits, outlines }) {
+  const isMoved = outlines.some(({ pixel }) => pixel === k);
+  if (hits[k] && isOutside(target)[k]) {
+    return `Carving${isMoved ? " and coverage" : ""}: the target is empty here, so the surface ` +
+      "is pushed back.";
+  }
+  if (isMoved) {
+    const more = target[k] - coverage[k];
+    return Math.abs(more) < 0.01 ? "Coverage: an outline, and it is at its place."
+      : `Coverage: at this outline too ${more > 0 ? "little" : "much"} is covered, so the ` +
+        `crossing moves ${more > 0 ? "out" : "in"}.`;
+  }
+  if (hits[k]) {
+    return target[k] === 1
+      ? "Only colour: the face may slide along the ray, and nothing says where it is."
+      : "Nothing yet: near the target's outline only a found outline pulls.";
+  }
+  return target[k] > 0 ? "Nothing: no face is here that could be moved."
+    : "Nothing: both pictures are empty here.";
+}
+
+const fromEye = (p, times) => EYE.map((e, axis) => e + times * (p[axis] - e));
+
+/** A drawing in which a pointer means the ray through it. */
+class Flatland extends Sheet {
+  pointOf(event) {
+    const [x, y] = super.pointOf(event);
+    const shrink = (STRIP - EYE[1]) / Math.max(y - EYE[1], 0.3);
+    return [EYE[0] + (x - EYE[0]) * shrink, STRIP];
+  }
+}
+
+export function show(place) {
+  const redraw = eachFrame(draw);
+  const truth = marchingTriangles(POINTS.map((p) => discs(p, TRUTH)));
+  const photograph = render(truth.vertices, truth.segments);
+  const target = photograph.coverage, all = [...target.keys()];
+  const centre = (k) => EYE[0] + (k + 0.5 - PIXELS / 2) * WIDTH;
+  let pixel = 9, distance, velocity, step;
+  const sheet = new Flatland([-1.31, 1.31, -1.38, 1.02],
+    "A camera's rays to a surface in which a skin joins two blobs", redraw);
+  const said = html("p"), answer = html("p", { class: "verdict" });
+  const ended = html("p", { role: "status" });
+  const probe = sheet.probe({
+    name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: [centre(pixel), STRIP],
+    limits: [centre(0), centre(PIXELS - 1), STRIP, STRIP],
+    moved: ([x]) => {
+      pixel = Math.round(onStrip([x, STRIP]) - 0.5);
+      redraw();
+    } });
+  const play = player("Play", () => {
+    if (step === STEPS) return false;
+    step += 1;
+    const gradient = pull(all, target, distance);
+    velocity = velocity.map((v, n) => MOMENTUM * v + gradient[n]);
+    distance = distance.map((s, n) => s - RATE * velocity[n]);
+    draw();
+    return true;
+  });
+  const reset = button("Reset", () => {
+    play.stop();
+    begin();
+    redraw();
+  });
+
+  function begin() {
+    distance = POINTS.map((p) => Math.min(discs(p, FOUND), skin(p, SKIN)));
+    [velocity, step] = [distance.map(() => 0), 0];
+  }
+
+  function row(y, picture, surface) {
+    return all.map((k) => {
+      const square = sheet.rectangle([centre(k) - WIDTH / 2, y], WIDTH, HEIGHT, "pixel");
+      square.style.fill = `color(srgb-linear ${colourOf(k, picture, surface).join(" ")})`;
+      return square;
+    });
+  }
+
+  /** The truth, the grid, what is found, and the camera with its pictures. */
+  function scene(surface, picture) {
+    const { vertices, segments } = surface;
+    return [
+      [-1, 1].map((side) => sheet.line([EYE, [side * PIXELS * WIDTH / 2, STRIP]], "wire")),
+      sheet.dot(EYE, 6, "sample point"), sheet.text(EYE, "camera", "", [12, -4]),
+      row(STRIP, photograph, truth), sheet.text([-1.3, STRIP + 0.02], "target"),
+      row(STRIP - HEIGHT, picture, surface), sheet.text([-1.3, STRIP - 0.09], "found"),
+      TRUTH.map(([cX, cY, radius]) => sheet.line(Array.from({ length: 49 }, (_, k) =>
+        [cX + radius * Math.cos(k * Math.PI / 24), cY + radius * Math.sin(k * Math.PI / 24)]),
+        "goal")),
+      sheet.text([TRUTH[0][0], 0.88], "truth", "middle"),
+      POINTS.map((p, n) => (p[1] < 0 || Math.abs(p[0]) > sheet.x1 ? []
+        : sheet.dot(p, distance[n] < 0 ? 3 : 1.6, `sample ${distance[n] < 0 ? "first" : ""}`))),
+      segments.map((ends) => sheet.line(ends.map((n) => vertices[n].p), "curve first"))];
+  }
+
+  /** Discs on the grid's points that the pixel pulls: "+" where the distance is to grow. */
+  function pulled() {
+    const gradient = pull([pixel], target, distance), reach = 3 / sheet.scale;
+    const most = Math.max(...gradient.map(Math.abs), 1e-6);
+    return POINTS.map(([x, y], n) => {
+      const share = Math.abs(gradient[n]) / most, grows = gradient[n] < 0;
+      if (share < 1e-3) return [];
+      return [sheet.dot([x, y], 4 + 4 * Math.sqrt(share), grows ? "descent" : "extra"),
+              sheet.line([[x - reach, y], [x + reach, y]], "sign"),
+              grows ? sheet.line([[x, y - reach], [x, y + reach]], "sign") : []];
+    }).flat();
+  }
+
+  /** A point of the surface, and an arrow along which it goes. */
+  function moved(point, [dX, dY], length, style) {
+    const scale = length / Math.hypot(dX, dY);
+    return [...sheet.arrow(point, [point[0] + scale * dX, point[1] + scale * dY], style),
+            sheet.dot(point, 5, "crossing")];
+  }
+
+  /** What the pixel asks of the surface: crossings move, its face goes back, or it may slide. */
+  function asked({ vertices, segments }, { coverage, hits, outlines }) {
+    const hit = hits[pixel], crossings = outlines.filter((outline) => outline.pixel === pixel);
+    const more = target[pixel] - coverage[pixel];
+    const moves = crossings.flatMap(({ vertex }) => {
+      const { p, a } = vertices[vertex];
+      return moved(p, p.map((t, axis) => Math.sign(more) * (t - POINTS[a][axis])),
+                   0.3 * Math.abs(more), more > 0 ? "extra" : "descent");
+    });
+    if (!hit) return moves;
+    const [p, q] = segments[hit.segment].map((n) => vertices[n].p);
+    const [x, y] = [q[0] - p[0], q[1] - p[1]], reach = 0.1 / Math.hypot(x, y);
+    if (isOutside(target)[pixel]) return [...moves, ...moved(hit.at, [-y, x], 0.25, "descent")];
+    return crossings.length || target[pixel] < 1 ? moves
+      : [0.84, 0.92, 1, 1.08, 1.16].map((times) => {
+        const [atX, atY] = fromEye(hit.at, times);
+        return sheet.line([[atX - reach * x, atY - reach * y], [atX + reach * x, atY + reach * y]],
+                          "slid");
+      });
+  }
+
+  function draw() {
+    const surface = marchingTriangles(distance);
+    const picture = render(surface.vertices, surface.segments);
+    const far = Math.min(2.08, sheet.x1 / Math.abs(centre(pixel))); // in the sheet
+    sheet.draw(
+      scene(surface, picture),
+      sheet.line([EYE, picture.hits[pixel]?.at ?? fromEye([centre(pixel), STRIP], far)], "ray"),
+      asked(surface, picture), pulled(),
+      sheet.rectangle([centre(pixel) - WIDTH / 2, STRIP - HEIGHT], WIDTH, 2 * HEIGHT, "chosen"));
+    tell(picture);
+  }
+
+  function tell(picture) {
+    const percent = (share) => `<b>${Math.round(100 * share)}\u00a0%</b>`;
+    said.innerHTML = `Pixel ${pixel + 1} is covered ${percent(target[pixel])} in the target, ` +
+      `${percent(picture.coverage[pixel])} in what is found.`;
+    answer.textContent = verdict(pixel, target, picture);
+    probe.element.setAttribute("aria-valuetext", `${said.textContent} ${answer.textContent}`);
+    const told = step < STEPS ? ""
+      : "The coverage is right everywhere. The depth is not: one camera cannot tell.";
+    if (ended.textContent !== told) ended.textContent = told;
+  }
+
+  begin();
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "What does a pixel pull? Drag along the row, then press Play. ",
+      html("span", {}, "At a ", html("b", { class: "green" }, "green +"),
+        " it raises the grid's distance: the ",
+        html("b", { class: "blue" }, "found surface"), " retreats. At an ",
+        html("b", { class: "orange" }, "orange −"), " it lowers it: the surface advances.")),
+    sheet.box,
+    html("div", { class: "told" }, said, answer,
+      html("div", { class: "buttons" }, play.element, reset), ended)));
+  draw();
+}

@@ -1,0 +1,175 @@
+/** Lecture 07: a triangle is a rubber sheet. A vertex that moves drags it along under a pixel. */
+import { toSrgb } from "./msaa_samples.js";
+import { button, clamp, eachFrame, html, number } from "./paper.js";
+import { coded, Picture } from "./picture.js";
+
+const WIDTH = 16, HEIGHT = 12;
+const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
+const START = [[2.5, 2.5], [13, 4], [5.5, 10.5]], CHOSEN = [6.5, 5.5];
+const VALUES = [0.9, 0.1, 0.4];          // r: the light of the vertices
+const LEVELS = [0.25, 0.5, 0.75];        // the sheet's lines: where a weight has these values
+const ARROW = 75;                        // pixels, for a gradient of 1
+
+const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                         p[0] * q[1] - p[1] * q[0]];
+
+/** Eq. (7) on the screen, where w = 1: the rows q_i x q_j, which are det(M) M^-1. */
+export const edgeNormals = (triangle) =>
+  EDGES.map(([i, j]) => cross([...triangle[i], 1], [...triangle[j], 1]));
+
+/** Eq. (9): the edge functions at a pixel, from which the corners are measured. */
+export const edgeFunctionsAt = ([pX, pY], triangle) =>
+  cross(triangle.map(([x]) => x - pX), triangle.map(([, y]) => y - pY));
+
+/** M^-1, or null for a triangle without area. */
+function inverse(triangle) {
+  const edges = edgeNormals(triangle);
+  const determinant = edges[0][2] + edges[1][2] + edges[2][2];
+  return determinant === 0 ? null : edges.map((row) => row.map((t) => t / determinant));
+}
+
+const weightsAt = (rows, [x, y]) => rows.map((row) => row[0] * x + row[1] * y + row[2]);
+const dot = (p, q) => p.reduce((sum, t, k) => sum + t * q[k], 0);
+
+/** df/da: the slope of the picture. */
+const slopeOf = (values, rows) => [0, 1].map((axis) => dot(values, rows.map((row) => row[axis])));
+
+/** Eq. (4): the derivatives of pixels' residuals -> by the values [p][k], and by the vertices
+ *  [p][k][axis]: minus weight times slope. */
+export function residualsJacobian(values, triangle, points) {
+  const rows = inverse(triangle), slope = slopeOf(values, rows);
+  const byValues = points.map((point) => weightsAt(rows, point));
+  return [byValues, byValues.map((c) => c.map((weight) => slope.map((t) => -weight * t)))];
+}
+
+/** The weights of the vertices at a pixel, or null if it does not see the triangle. */
+function seenWeights(triangle, pixel) {
+  const rows = inverse(triangle), c = rows && weightsAt(rows, pixel);
+  return c?.every((weight) => weight >= 0) ? c : null;
+}
+
+const list = (numbers, digits) => numbers.map((t, k) =>
+  `<b class="pull v${k}">${number(t, digits)}</b>`).join(", ");
+const signed = (t) => `${t < 0 ? "−" : "+"}${Math.abs(t).toFixed(3)}`;
+const swatch = (light) => `<span class="swatch"><i style="background:
+  rgb(${Array(3).fill(255 * toSrgb(light)).join(" ")})"></i>${light.toFixed(3)}</span>`;
+
+export function show(place) {
+  let triangle, before, last, pixel; // last: the vertex that moves, and has moved from `before`
+  const redraw = eachFrame(draw);
+  const picture = new Picture(WIDTH, HEIGHT,
+    "A shaded triangle with lines on it, a framed pixel, and an arrow at each vertex", redraw);
+  const seen = html("p"), numbers = html("p");
+  const answer = html("p", { class: "verdict", role: "status" });
+  const handles = START.map((at, k) => picture.handle({
+    name: `Vertex ${k}`, mark: String(k), style: `pull v${k}`, step: 0.1, at,
+    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
+    moved: (to) => {
+      if (k !== last) [before, last] = [triangle, k];
+      triangle = triangle.map((vertex, n) => (n === k ? to : vertex));
+      redraw();
+    } }));
+  const probe = picture.probe({
+    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
+    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
+    moved: (to, isChosen) => {
+      if (!isChosen) return;
+      begin(triangle, to);
+      redraw();
+    } });
+  const reset = button("Reset", () => {
+    START.forEach((vertex, k) => handles[k].set(vertex));
+    probe.set(CHOSEN);
+    begin(START, CHOSEN);
+    redraw();
+  });
+
+  function begin(from, at) {
+    [triangle, before, last, pixel] = [from, from, null, at];
+  }
+
+  function draw() {
+    const rows = inverse(triangle);
+    picture.fill((x, y) => {
+      let light = 0;
+      for (let k = 0; k < 3; k++) {
+        const weight = rows ? rows[k][0] * x + rows[k][1] * y + rows[k][2] : -1;
+        if (weight < 0) return 0; // transparent
+        light += weight * VALUES[k];
+      }
+      light = toSrgb(light);
+      return coded([light, light, light]);
+    });
+    const c = seenWeights(triangle, pixel), was = last !== null && seenWeights(before, pixel);
+    const corner = pixel.map((t) => t - 0.5);
+    picture.draw(
+      drawSheet(), picture.line([...triangle, triangle[0]], "outline found"),
+      ["frame halo", "frame"].map((style) => picture.rectangle(corner, 1, 1, style)),
+      was ? drawMove(was[last]) : [], c ? drawArrows(c) : []);
+    tell(c, was);
+  }
+
+  function drawSheet() {
+    return EDGES.flatMap(([i, j], k) => LEVELS.map((level) => picture.line([i, j].map((end) =>
+      triangle[end].map((t, axis) => (1 - level) * t + level * triangle[k][axis])),
+      `drawn v${k}`)));
+  }
+
+  /** Where the triangle was, and the point of the sheet that was under the pixel. */
+  function drawMove(weight) {
+    const now = pixel.map((t, axis) => t + weight * (triangle[last][axis] - before[last][axis]));
+    return [picture.line([...before, before[0]], "goal"),
+      picture.line([before[last], triangle[last]], `moved v${last}`),
+      picture.line([pixel, now], `moved v${last}`), picture.dot(now, 5, "sample point")];
+  }
+
+  function drawArrows(c) {
+    const [, [byTriangle]] = residualsJacobian(VALUES, triangle, [pixel]);
+    return triangle.map((vertex, k) => {
+      const length = Math.hypot(...byTriangle[k]) || 1;
+      const label = [0, 1].map((axis) => clamp(vertex[axis] - 1.4 * byTriangle[k][axis] / length,
+        0.8, [WIDTH, HEIGHT][axis] - 0.8));
+      const tip = vertex.map((t, axis) => t + ARROW * byTriangle[k][axis]);
+      return [...picture.arrow(vertex, tip, `pull v${k}`),
+              picture.text(label, c[k].toFixed(2), `label middle pull v${k}`, [0, -6])];
+    });
+  }
+
+  function tell(c, was) {
+    if (!c) {
+      seen.innerHTML = "Pixel: background<br>Nothing pulls at it.";
+      answer.textContent = "The pixel does not see the triangle: no arrows.";
+      numbers.textContent = "";
+      return;
+    }
+    const e = edgeFunctionsAt(pixel, triangle), light = dot(c, VALUES);
+    const slope = slopeOf(VALUES, inverse(triangle)).map((t) => number(t)).join(", ");
+    numbers.innerHTML = `Edge functions e (9): ${list(e, 1)}<br>` +
+      `Weights, e / ${number(e[0] + e[1] + e[2], 1)} (8): ${list(c, 2)}<br>` +
+      `Slope ∇f (7): (${slope})`;
+    if (was) {
+      tellMove(light, was);
+    } else {
+      seen.innerHTML = `Pixel: ${swatch(light)}<br>Nothing has moved.`;
+      answer.textContent = "Move a vertex along its arrow: the pixel becomes brighter.";
+    }
+  }
+
+  function tellMove(light, weights) {
+    const by = [0, 1].map((axis) => triangle[last][axis] - before[last][axis]);
+    const [, [byTriangle]] = residualsJacobian(VALUES, before, [pixel]);
+    const far = Math.hypot(...by), was = dot(weights, VALUES);
+    seen.innerHTML = `Pixel: ${swatch(was)}→ ${swatch(light)}<br>by ${signed(light - was)}. ` +
+      `The <b class="pull v${last}">arrow</b> said ${signed(dot(byTriangle[last], by))}.`;
+    answer.textContent = `Vertex ${last} moved by ${far.toFixed(2)}, the sheet under the pixel ` +
+      `by ${weights[last].toFixed(2)} · ${far.toFixed(2)} = ${(weights[last] * far).toFixed(2)}.`;
+  }
+
+  begin(START, CHOSEN);
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "Drag a vertex, or choose a pixel. ",
+      html("span", {}, "The sheet goes along, the pixel in the frame stays. Each arrow is the " +
+        "pixel's derivative: minus the picture's slope, times the weight of the vertex.")),
+    picture.box, html("div", { class: "told" }, seen, answer, numbers, reset)));
+  draw();
+}

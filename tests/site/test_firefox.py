@@ -1,0 +1,114 @@
+"""The site in Firefox: the parts that browsers may do differently."""
+import itertools
+import json
+import re
+import shutil
+import subprocess
+
+import pytest
+import websocket  # comes with Jupyter
+
+PAGES = ("index", "lectures/02_rasterization", "lectures/09_inverse_rendering",
+         "labs/08_antialiasing", "reference/antialiasing", "search")
+
+
+class Firefox:
+    """A tab of a headless Firefox, by WebDriver BiDi."""
+
+    def __init__(self, address):
+        self.socket = websocket.create_connection(f"{address}/session", timeout=120,
+                                                  suppress_origin=True)
+        self.numbers, self.errors = itertools.count(1), []
+        self.send("session.new", capabilities={})
+        self.send("session.subscribe", events=["log.entryAdded"])
+        self.tab = self.send("browsingContext.getTree")["contexts"][0]["context"]
+
+    def send(self, method, **params):
+        """-> the answer's result. Errors of pages that come before it are kept."""
+        number = next(self.numbers)
+        self.socket.send(json.dumps({"id": number, "method": method, "params": params}))
+        while True:
+            said = json.loads(self.socket.recv())
+            if said.get("params", {}).get("level") == "error":
+                self.errors.append(said["params"]["text"])
+            if said.get("id") == number:
+                assert said["type"] == "success", said
+                return said["result"]
+
+    def open(self, address):
+        self.errors.clear()
+        self.send("browsingContext.navigate", context=self.tab, url=address, wait="complete")
+
+    def run(self, script):
+        """-> what an async function with this body returns, through JSON."""
+        found = self.send("script.evaluate", target={"context": self.tab}, awaitPromise=True,
+                          expression=f"(async () => {{ {script} }})().then(JSON.stringify)")
+        assert found["type"] == "success", found
+        return json.loads(found["result"]["value"])
+
+
+@pytest.fixture(scope="module")
+def firefox(tmp_path_factory):
+    """Headless Firefox. Without one, these tests are skipped."""
+    found = shutil.which("firefox") or shutil.which("firefox-esr")
+    if not found:
+        pytest.skip("no Firefox: install firefox or firefox-esr")
+    with subprocess.Popen([found, "--headless", "--remote-debugging-port", "0", "--profile",
+                           tmp_path_factory.mktemp("profile")],
+                          stderr=subprocess.PIPE, encoding="utf-8") as process:
+        where = next(filter(None, (re.search(r"ws://[\d.:]+", line) for line in process.stderr)))
+        yield Firefox(where[0])
+        process.kill()
+
+
+@pytest.fixture(scope="module")
+def opened(firefox, address):
+    """opened(page): go there -> a function that runs a script there."""
+    def go(page):
+        firefox.open(f"{address}/{page}")
+        return firefox.run
+    return go
+
+
+UNTIL = """const until = async (test) => {
+  for (let n = 0; !test() && n < 600; n++) await new Promise((next) => setTimeout(next, 100));
+  return test(); };"""
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_opens_without_a_fault(page, firefox, opened):
+    """A word of CSS or JavaScript that only Chromium knows."""
+    assert opened(f"{page}.html")("return document.documentElement.scrollWidth <= innerWidth")
+    assert firefox.errors == []
+
+
+def test_formulas_are_set(opened):
+    """A fraction's two lines stand beside each other."""
+    run = opened("lectures/07_vertex_gradients.html")
+    above, below = run("""const [a, b] = document.querySelector("math[display] mfrac").children;
+        return [a.getBoundingClientRect().bottom, b.getBoundingClientRect().top]""")
+    assert above <= below
+
+
+def test_a_figure_takes_keys_and_plays(opened):
+    """A handle does not hear the keys, or a frame is never drawn."""
+    run = opened("lectures/00_start_here.html")
+    assert run(UNTIL + """
+        await until(() => document.querySelector("#figure-descent .handle"));
+        const handle = document.querySelector("#figure-descent .handle");
+        const at = () => handle.getAttribute("aria-valuetext"), before = at();
+        handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
+        return at() !== before""")
+    assert run(UNTIL + """
+        const figure = document.querySelector("#figure-descent");
+        figure.scrollIntoView();
+        [...figure.querySelectorAll("button")].find((one) => one.textContent === "Play").click();
+        return until(() => figure.textContent.includes("Found"))""")
+
+
+def test_the_search_finds_an_exercise(opened):
+    """The records are in a form that only one browser reads."""
+    run = opened("search.html?q=8.7")
+    assert "#exercise-8-7" in run(UNTIL + """
+        await until(() => document.querySelector("#found a"));
+        return document.querySelector("#found a").href""")
