@@ -9,7 +9,7 @@ const TURN = 0.35, PERIOD = 2;           // how it lies on the floor; the eye is
 const ZOOM = 120, CHOSEN = [100.5, 152.5];
 const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0.96, 0.94];
 
-/** The codes of mixtures of light, from DARK to LIGHT. */
+/** Mixtures of light, from DARK to LIGHT, as codes. */
 const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
 const SHADES = Uint32Array.from({ length: 257 }, (_, n) => coded(DARK.map((dark, k) =>
   toSrgb(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
