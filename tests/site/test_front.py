@@ -42,8 +42,8 @@ def opened(browser, address):
 def published(tmp_path_factory):
     """A site of two pages, made for its publisher's address -> its folder."""
     source, target = tmp_path_factory.mktemp("pages"), tmp_path_factory.mktemp("site")
-    (source / "index.md").write_text("# A course\n\n" + "A page of words. " * 30 +
-                                     "\n\n```{toctree}\n:caption: Labs\n\nlabs/first\n```\n", "utf-8")
+    tree = "```{toctree}\n:caption: Labs\n\nlabs/first\n```\n"
+    (source / "index.md").write_text(f"# A course\n\n{'A page of words. ' * 30}\n\n{tree}", "utf-8")
     (source / "labs").mkdir()
     (source / "labs" / "first.md").write_text(
         '# A lab\n\n[A](/index.md) · [list](/index.md) · [of links](/index.md) '
