@@ -60,10 +60,9 @@ def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_
         added.require_all()
 
 
-def test_a_link_to_a_file_without_a_page_is_refused():
+def test_a_link_to_a_file_without_a_page_becomes_code():
     """A dead link on the site."""
-    with pytest.raises(ValueError, match="no page of the site"):
-        lectures.linked("[setup](../pyproject.toml)")
+    assert lectures.linked("[setup](../pyproject.toml)") == "`setup`"
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture(written):
