@@ -1,6 +1,6 @@
 /** Lecture 09: the loss over all places of one vertex, sampled and blended. */
 import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
-import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
+import { button, centreOf, clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
@@ -80,15 +80,15 @@ function paintMap(canvas, isBlended, values, painted) {
 export function show(place) {
   const values = new Float64Array(WIDTH * FINE * HEIGHT * FINE);
   let vertex, path, means, squares, stopMap = () => {};
+  const redraw = eachFrame(draw);
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "A map of the loss for each place of vertex 2 of a triangle", eachFrame(draw));
+    "A map of the loss for each place of vertex 2 of a triangle", redraw);
   const canvas = html("canvas", { width: WIDTH * FINE, height: HEIGHT * FINE,
                                   "aria-hidden": "true" });
   sheet.box.prepend(canvas);
   sheet.box.classList.add("light");
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const redraw = eachFrame(draw);
   const handle = sheet.handle({
     name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT], at: START,
     moved: (to) => {
@@ -135,7 +135,7 @@ export function show(place) {
       ["halo", "curve second"].map((style) =>
         border.map((side) => sheet.line(side, style))),
       covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
-        [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5], 2.2, inside ? "sample point" : "sample")),
+        centreOf(n, WIDTH), 2.2, inside ? "sample point" : "sample")),
       sheet.line([...GOAL, GOAL[0]], "goal"),
       sheet.line([...triangle, triangle[0]], "outline found"),
       sheet.line(path, "curve descent"),
@@ -143,9 +143,8 @@ export function show(place) {
         (t, k) => t - ARROW * gradient[k] / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
-    const told = !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
-      : loss < FOUND ? "Found." : "";
-    if (answer.textContent !== told) answer.textContent = told;
+    say(answer, !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
+      : loss < FOUND ? "Found." : "");
   }
 
   /** The border of the plateau that holds the vertex, once the map is there. */

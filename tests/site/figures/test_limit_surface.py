@@ -39,7 +39,7 @@ def test_the_surface_goes_along_with_the_vertex(page, address):
     x, y = middle(vertex)
     page.mouse.move(x, y)
     page.mouse.down()
-    page.mouse.move(x + 90, y - 20, steps=3)
+    page.mouse.move(x + 130, y - 20, steps=3)
     page.mouse.up()
     assert point_of(vertex)[0] > 1
     assert settled(page).locator("canvas").screenshot() != before
