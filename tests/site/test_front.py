@@ -83,7 +83,8 @@ def test_the_page_says_the_commands_and_the_numbers_of_the_readme(index):
 
 
 def test_cards_lead_where_they_say(index):
-    """Somebody who wants lecture 1 comes to a table of modules."""
+    """Somebody who wants lecture 1 comes to a table of modules, or a beginner to its middle."""
+    assert index.select_one(".begin a.first")["href"] == "lectures/00_start_here.html"
     cards = {card.h3.text: [(link.text, link["href"]) for link in card.find_all("a")]
              for card in index.select(".cards > div")}
     first = ("Lecture 1, Transforms", "lectures/01_transforms.html")
