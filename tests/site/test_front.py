@@ -165,3 +165,5 @@ def test_a_lost_reader_finds_back_from_any_folder(published):
     assert "/course/index.html" in inside
     assert [link for link in inside if not link.startswith("/course/")] == []
     assert page.h1.text == "Page not found"
+    assert [link["href"] for link in page.article.select("p a")] == [
+        "/course/search.html", "/course/labs/index.html", "/course/index.html"]
