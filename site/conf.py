@@ -42,7 +42,7 @@ html_permalinks_icon = "#"
 html_theme_options = {
     "navigation_with_keys": False,
     # how bright the white of a drawn picture is: its colours have a meaning, so none is inverted
-    "light_css_variables": {"paper": "1"}, "dark_css_variables": {"paper": "0.82"}}
+    "light_css_variables": {"white": "1"}, "dark_css_variables": {"white": "0.82"}}
 
 # Where the site will be, as its publisher says: search engines and chats want whole addresses.
 ADDRESS = os.environ.get("SITE_ADDRESS", "").rstrip("/")

@@ -1,4 +1,4 @@
-"""What writes the pages of the web site, from what the course holds already."""
+"""What writes the pages of the web site from what the course holds, and what extends Sphinx."""
 import html
 
 from course.given.places import write_whole

@@ -132,12 +132,12 @@ def given(course, lab, missing):
 
 
 def question_line(course, name):
-    module, node = found(course, name)
+    module, node = module_and_node(course, name)
     return inline(course, module, first_sentence(ast.get_docstring(node)),
                   set(sources_course.bound(node)))
 
 
-def found(course, name):
+def module_and_node(course, name):
     """The full name of a function -> its Module, its node."""
     module, _, function = name.rpartition(".")
     return course.modules[module], course.modules[module].nodes[function]
@@ -145,7 +145,7 @@ def found(course, name):
 
 def question(course, name):
     """An exercise: its mark, its signature, its docstring, and links."""
-    exercise, (module, node) = course.exercises[name], found(course, name)
+    exercise, (module, node) = course.exercises[name], module_and_node(course, name)
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
              f'<pre class="signature"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
@@ -157,7 +157,7 @@ def question(course, name):
 
 def read_on(course, name):
     """Links: where the lecture asks it, its answer, and what the answer calls."""
-    exercise, (module, node) = course.exercises[name], found(course, name)
+    exercise, (module, node) = course.exercises[name], module_and_node(course, name)
     lecture = course.lectures[module.lab]
     page, heading = lecture.announced.get(exercise.number, (lecture.page, lecture.title))
     place = f"../lectures/{page}.html#{make_id(heading)}"

@@ -14,12 +14,11 @@ from course.given.places import ROOT, read_whole
 from course.upkeep import hours
 
 from . import inserts, picture, put, sidebar
-from .names import document
 from .posters import frame_count, poster
+from .texts_links import with_page_links
 
 NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
-LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)\s]+)?\)")
 OPENING = re.compile(r'<img src="([^"]+)" width="(\d+)" alt="([^"]+)">')
 BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
 IMPORTS = "import sys; sys.path.append"
@@ -71,15 +70,7 @@ def fold(cell, words):
 def linked(text):
     """A lecture's text without links to its neighbours, and with its links led to the site's pages.
     """
-    return LINK.sub(_page_link, NEIGHBOURS.sub("", text))
-
-
-def _page_link(link):
-    path = (ROOT / "notebooks" / link[1]).resolve().relative_to(ROOT).as_posix()
-    page = document(path)
-    if page is None:
-        raise ValueError(f"a lecture leads to {link[1]}, which is no page of the site")
-    return f"]({page}{link[2] or ''})"
+    return with_page_links(NEIGHBOURS.sub("", text), "notebooks")
 
 
 class Pictures:

@@ -1,13 +1,10 @@
 """Where on the site the course's functions, exercises and files are, and what they are called."""
 import functools
-import re
 
 from course import exercises
 from course.given.places import ROOT
 
 from . import sources_course
-
-CODE = re.compile(r"(?<!`)`(\w+)`(?!`)")
 
 
 def lab_page(topic):

@@ -11,7 +11,7 @@ addEventListener("DOMContentLoaded", () => {
   const here = tree?.querySelector(".current-page");
   if (!here) return;
   const above = here.getBoundingClientRect().top - tree.getBoundingClientRect().top;
-  tree.scrollTo({top: above - tree.clientHeight / 3, behavior: "instant"});
+  tree.scrollTo({ top: above - tree.clientHeight / 3, behavior: "instant" });
 });
 
 // Browsers start no modules from files on disk: figures keep no room for theirs.

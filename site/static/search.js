@@ -4,7 +4,7 @@ const form = document.getElementById("search"), list = document.getElementById("
 const count = document.getElementById("found-count");
 
 async function unpack(packed) {
-  const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).json();
 }
@@ -13,12 +13,12 @@ async function unpack(packed) {
 // barycentrics, but 8 is neither in 8.7 nor in 80.
 function pattern(word) {
   const letters = [...word.replace(/[-_]/g, "").replace(/(?<=...)s$/, "")];
-  const spelled = letters.map(letter => letter.replace(".", "\\.")).join("[-_]?");
+  const spelled = letters.map((letter) => letter.replace(".", "\\.")).join("[-_]?");
   const end = /\d$/.test(word) ? "(?!\\d|\\.\\d)" : "";
   return `(?<![\\p{L}\\p{N}]|\\d\\.)${spelled}${end}`;
 }
 
-const asked = query => query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu)?.map(pattern) ?? [];
+const asked = (query) => query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu)?.map(pattern) ?? [];
 
 // How well a word fits: in the title, in the place, or in the text, the oftener the better.
 function fit(word, title, place, text) {
@@ -30,21 +30,21 @@ function fit(word, title, place, text) {
 
 // What has all words, or as many as one record has; the title that says little else stands first.
 function search(records, patterns) {
-  const words = patterns.map(one => new RegExp(one, "giu"));
+  const words = patterns.map((one) => new RegExp(one, "giu"));
   const every = new RegExp(patterns.join("|"), "giu");
-  const found = records.map(record => {
+  const found = records.map((record) => {
     const [address, title, place, text] = record;
-    const fits = words.map(word => fit(word, title, place, text));
+    const fits = words.map((word) => fit(word, title, place, text));
     const fitting = fits.reduce((sum, one) => sum + one, 0) / words.length;
     const covered = (title.match(every) ?? []).join("").length / title.length;
     const code = /^(reference|given)\//.test(address) ? 0.7 : 1;
     const page = covered && !address.includes("#") ? 1 : 0;
-    return {record, has: fits.filter(Boolean).length,
-            score: code * (fitting + 10 * covered + page)};
+    return { record, has: fits.filter(Boolean).length,
+            score: code * (fitting + 10 * covered + page) };
   });
-  const most = Math.max(1, ...found.map(one => one.has));
-  return found.filter(one => one.has === most).sort((a, b) => b.score - a.score)
-    .map(one => one.record);
+  const most = Math.max(1, ...found.map((one) => one.has));
+  return found.filter((one) => one.has === most).sort((a, b) => b.score - a.score)
+    .map((one) => one.record);
 }
 
 function element(name, className, ...children) {
@@ -86,12 +86,13 @@ function show(records) {
   const more = found.length > SHOWN ? `, the best ${SHOWN} are shown` : "";
   count.textContent = query && `${found.length || "No"} ` +
     `${found.length === 1 ? "place" : "places"} for “${query}”${more}`;
-  history.replaceState(null, "", query ? `?${new URLSearchParams({q: query})}` : location.pathname);
+  const asking = query && `?${new URLSearchParams({ q: query })}`;
+  history.replaceState(null, "", asking || location.pathname);
 }
 
 form.q.value = new URLSearchParams(location.search).get("q") ?? "";
-unpack(PACKED_RECORDS).then(records => {
+unpack(PACKED_RECORDS).then((records) => {
   form.addEventListener("input", () => show(records));
-  form.addEventListener("submit", event => { event.preventDefault(); show(records); });
+  form.addEventListener("submit", (event) => { event.preventDefault(); show(records); });
   show(records);
 });

@@ -1,8 +1,11 @@
 """What the tests of the web site share: a browser, and pages that may not fail."""
 import shutil
+import sys
 
 import pytest
-from serving import ROOT, served
+from serving import ROOT, SITE, served
+
+sys.path.insert(0, str(ROOT / "site"))  # for the tests of what makes the site
 
 BROWSERS = "chromium", "chromium-browser", "google-chrome", "chrome"
 
@@ -21,10 +24,10 @@ def browser():
 
 
 @pytest.fixture(scope="session")
-def static():
-    """The address of site/static."""
-    with served(ROOT / "site" / "static") as address:
-        yield address
+def address():
+    """The address of the site that was made."""
+    with served(SITE) as there:
+        yield there
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""A folder's files, served to a browser."""
+"""The site that was made, and a folder's files served to a browser."""
 import contextlib
 import functools
 import http.server
@@ -6,6 +6,9 @@ import threading
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
+SITE = ROOT / "out" / "site"
+PAGES = sorted(path.relative_to(SITE).as_posix() for path in SITE.rglob("*.html")
+               if "lite" not in path.relative_to(SITE).parts)
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):

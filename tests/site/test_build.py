@@ -1,12 +1,7 @@
 """The site's build: what changes is made anew, and the site is whole or the one before."""
-import sys
-
-import pytest
-from serving import ROOT
-
-sys.path.insert(0, str(ROOT / "site"))
 
 import build
+import pytest
 
 
 @pytest.fixture

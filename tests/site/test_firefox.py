@@ -7,7 +7,6 @@ import subprocess
 
 import pytest
 import websocket  # comes with Jupyter
-from serving import ROOT, served
 
 PAGES = ("index", "lectures/02_rasterization", "lectures/09_inverse_rendering",
          "labs/08_antialiasing", "reference/antialiasing", "search")
@@ -63,13 +62,12 @@ def firefox(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def opened(firefox):
+def opened(firefox, address):
     """opened(page): go there -> a function that runs a script there."""
-    with served(ROOT / "out" / "site") as address:
-        def go(page):
-            firefox.open(f"{address}/{page}")
-            return firefox.run
-        yield go
+    def go(page):
+        firefox.open(f"{address}/{page}")
+        return firefox.run
+    return go
 
 
 UNTIL = """const until = async (test) => {

@@ -7,14 +7,9 @@ import zipfile
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT, served
-
-sys.path.append(str(ROOT / "site"))
-
 from pages import front
+from serving import PAGES, ROOT, SITE
 
-SITE = ROOT / "out" / "site"
-PAGES = [path for path in SITE.glob("**/*.html") if "lite" not in path.relative_to(SITE).parts]
 ADDRESS = "https://somebody.github.io/course"
 
 
@@ -34,22 +29,21 @@ def index():
 
 
 @pytest.fixture(scope="module")
-def opened(browser):
+def opened(browser, address):
     """The front page in a browser, its film loaded."""
-    with served(SITE) as address:
-        page = browser.new_page(viewport={"width": 1280, "height": 900})
-        page.goto(f"{address}/index.html")
-        page.locator(".film canvas").wait_for()
-        yield page
-        page.close()
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto(f"{address}/index.html")
+    page.locator(".film canvas").wait_for()
+    yield page
+    page.close()
 
 
 @pytest.fixture(scope="module")
 def published(tmp_path_factory):
     """A site of two pages, made for its publisher's address -> its folder."""
     source, target = tmp_path_factory.mktemp("pages"), tmp_path_factory.mktemp("site")
-    (source / "index.md").write_text("# A course\n\n" + "A page of words. " * 30 +
-                                     "\n\n```{toctree}\nlabs/first\n```\n", "utf-8")
+    tree = "```{toctree}\n:caption: Labs\n\nlabs/first\n```\n"
+    (source / "index.md").write_text(f"# A course\n\n{'A page of words. ' * 30}\n\n{tree}", "utf-8")
     (source / "labs").mkdir()
     (source / "labs" / "first.md").write_text(
         '# A lab\n\n[A](/index.md) · [list](/index.md) · [of links](/index.md) '
@@ -138,9 +132,9 @@ def test_without_a_public_repository_there_is_no_clone_line(monkeypatch):
 
 def test_every_page_has_a_description_in_words():
     """A search engine shows code, a row of links, or nothing."""
-    said = {path.name: re.findall('<meta name="description" content="(.*?)"',
-                                  path.read_text("utf-8"))
-            for path in PAGES if path.name not in ("404.html", "genindex.html", "search.html")}
+    said = {page: re.findall('<meta name="description" content="(.*?)"',
+                             (SITE / page).read_text("utf-8"))
+            for page in PAGES if page not in ("404.html", "genindex.html", "search.html")}
     assert {name: words for name, words in said.items()
             if len(words) != 1 or not re.fullmatch(r"[^\\·]{30,300}", words[0])} == {}
 

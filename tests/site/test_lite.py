@@ -8,14 +8,10 @@ import socket
 import subprocess
 import sys
 import threading
-from pathlib import Path
 
 import pytest
-from serving import served
-
-ROOT = Path(__file__).parents[2]
-sys.path.append(str(ROOT / "site"))
-from pages import lite  # noqa: E402
+from pages import lite
+from serving import ROOT, served
 
 AS_IN_A_BROWSER = """
 import json, os, signal, subprocess, sys, threading, types
@@ -116,7 +112,6 @@ def test_a_lecture_runs_from_its_first_cell_to_its_last(contents):
 def test_every_lecture_finds_what_it_imports(contents):
     """trimesh and xatlas are not there: no scene needs them when it is imported."""
     told = as_in_a_browser(contents, """
-from pathlib import Path
 from IPython.core.interactiveshell import InteractiveShell
 
 shell = InteractiveShell.instance()

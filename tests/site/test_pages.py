@@ -6,11 +6,8 @@ import urllib.parse
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from bs4 import BeautifulSoup
-from serving import ROOT, served
+from serving import PAGES, ROOT, SITE
 
-SITE = ROOT / "out" / "site"
-PAGES = sorted(path.relative_to(SITE).as_posix() for path in SITE.glob("**/*.html")
-               if "lite" not in path.relative_to(SITE).parts)
 SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/08_antialiasing",
        "reference/antialiasing", "benchmarks")
 WIDTHS = 1280, 768, 375
@@ -134,12 +131,6 @@ def test_six_pages_are_there_to_look_at(page, site_page):
             opened, _ = site_page(f"{page}.html", width, theme)
             name = f"{page.replace('/', '_')}_{width}_{theme}.png"
             opened.screenshot(path=ROOT / "out" / "site-pictures" / name)
-
-
-@pytest.fixture(scope="module")
-def address():
-    with served(SITE) as there:
-        yield there
 
 
 @pytest.fixture

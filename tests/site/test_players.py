@@ -1,17 +1,13 @@
 """Players: animations, and pairs of pictures, by mouse and by keys."""
 import io
 import shutil
-import sys
 
 import numpy as np
 import pytest
-from PIL import Image
-from serving import ROOT, served
-
-sys.path.insert(0, str(ROOT / "site"))
-
 from pages import comparisons, lectures
 from pages.posters import poster
+from PIL import Image
+from serving import ROOT, served
 
 # As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]

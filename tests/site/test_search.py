@@ -1,10 +1,8 @@
 """The search: what a reader types, and what stands first."""
 import re
 
-import pytest
-from serving import ROOT, served
+from serving import SITE
 
-SITE = ROOT / "out" / "site"
 WEIGHT_LIMIT = 500_000  # bytes of the first search, with all that the page loads
 
 # What is asked, and the addresses of which one stands among the first three.
@@ -36,12 +34,6 @@ QUERIES = {
     "nvdiffrast": [r"real_projects\.html"],
     "grade": [r"instructors\.html"],
 }
-
-
-@pytest.fixture(scope="module")
-def address():
-    with served(SITE) as there:
-        yield there
 
 
 def found(page, words):

@@ -1,25 +1,12 @@
 """The list of all pages: it shows where the reader is, and what belongs to it."""
-import sys
-
 import pytest
-from serving import ROOT, served
-
-sys.path.insert(0, str(ROOT / "site"))
-
 from pages import sidebar
 
-SITE = ROOT / "out" / "site"
 HERE = """() => {
   const {left, right, top, bottom} =
     document.querySelector(".current-page > a").getBoundingClientRect();
   return [left >= 0 && right <= innerWidth && top >= 0 && bottom <= innerHeight, scrollY];
 }"""
-
-
-@pytest.fixture(scope="module")
-def address():
-    with served(SITE) as there:
-        yield there
 
 
 @pytest.mark.parametrize("width", [1280, 1440])

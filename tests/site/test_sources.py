@@ -8,19 +8,14 @@ import collections
 import copy
 import functools
 import re
-import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT
-
-sys.path.insert(0, str(ROOT / "site"))
-
 from pages import labs, names, sources_course, sources_text, texts_links
+from serving import SITE
 
 from course import exercises
 
-SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)
 LABS = sorted(COURSE.lectures)
@@ -213,7 +208,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = built("labs/index").get_text()
     for name, exercise in asked.items():
-        module, node = labs.found(COURSE, name)
+        module, node = labs.module_and_node(COURSE, name)
         element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed

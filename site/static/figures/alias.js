@@ -9,15 +9,11 @@ const FASTEST = 30, START = 11;
 export const aliasFrequency = (frequency, rate) =>
   frequency - rate * Math.floor(frequency / rate + 0.5);
 
-/** Eq. (5): what is left of a frequency k / n after a box that is `width` samples wide. */
+/** Eq. (5), for one k: what is left of a frequency k / n after a box, `width` samples wide. */
 export function boxFactor(k, width, n) {
   const angle = Math.PI * k / n;
   return Math.sin(angle) === 0 ? 1 : Math.sin(width * angle) / (width * Math.sin(angle));
 }
-
-/** Eq. (5): the spectrum of a box filter on n samples. */
-export const boxSpectrum = (width, n) =>
-  Array.from({ length: n }, (_, k) => boxFactor(k, width, n));
 
 const wave = (frequency, t) => Math.cos(2 * Math.PI * frequency * (t - 0.5 / RATE));
 const range = (count) => Array.from({ length: count + 1 }, (_, n) => n / count);

@@ -1,6 +1,6 @@
 /** Lecture 16: which numbers of the grid does one pixel of a picture pull, and by what? */
 import { EYE, isOutside, onStrip, PIXELS, pull, render, STRIP, WIDTH } from "./carving.js";
-import { button, eachFrame, html, player, Sheet } from "./paper.js";
+import { button, eachFrame, html, player, say, Sheet } from "./paper.js";
 import { marchingTriangles, POINTS } from "./sign_grid.js";
 
 const RATE = 0.005, MOMENTUM = 0.9, STEPS = 300;
@@ -180,9 +180,8 @@ export function show(place) {
       `${percent(picture.coverage[pixel])} in what is found.`;
     answer.textContent = verdict(pixel, target, picture);
     probe.element.setAttribute("aria-valuetext", `${said.textContent} ${answer.textContent}`);
-    const told = step < STEPS ? ""
-      : "The coverage is right everywhere. The depth is not: one camera cannot tell.";
-    if (ended.textContent !== told) ended.textContent = told;
+    say(ended, step < STEPS ? ""
+      : "The coverage is right everywhere. The depth is not: one camera cannot tell.");
   }
 
   begin();

@@ -2,9 +2,8 @@
  *  picture to its vertices. A picture is an array of shades, 1 on the triangle, row 0 below. */
 import { blendWeight, blendWeightBackward, crossing, crossingBackward, isBlended }
   from "./antialias.js";
-import { isCovered } from "./edge_functions.js";
-
-const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
+import { EDGES, isCovered } from "./edge_functions.js";
+import { centreOf } from "./elements.js";
 
 /** Lecture 08, eq. (2): a point in the frame of a pair of pixels along dx, dy. */
 const pairFrame = ([x, y], [dx, dy, turned]) =>
@@ -31,7 +30,7 @@ function blendedPairs(inside, triangle, width, height) {
     const next = n + dx + dy * width;
     if (inside[n] === inside[next]) return;
     const [owner, other, turned] = inside[n] ? [n, next, 1] : [next, n, -1];
-    const centre = [owner % width + 0.5, Math.floor(owner / width) + 0.5];
+    const centre = centreOf(owner, width);
     const frame = [dx, dy, turned];
     const corners = triangle.map(([x, y]) => pairFrame([x - centre[0], y - centre[1]], frame));
     const { edge, c } = lastCrossing(corners);
@@ -48,8 +47,7 @@ function blendedPairs(inside, triangle, width, height) {
 
 /** Which pixels' centres does a triangle (3 vertices, counter-clockwise) cover? */
 export const covered = (triangle, width, height) =>
-  Array.from({ length: width * height }, (_, n) =>
-    isCovered([n % width + 0.5, Math.floor(n / width) + 0.5], triangle));
+  Array.from({ length: width * height }, (_, n) => isCovered(centreOf(n, width), triangle));
 
 /** -> the picture of a triangle, and the pairs that it blends. */
 export function render(triangle, width, height) {

@@ -1,6 +1,6 @@
 /** Lecture 13: a bunny is the sum of its waves, and a few slow ones are most of its shape. */
 import { canvasOf, paint, silhouette } from "./facets.js";
-import { clamp, eachFrame, html, player, Sheet } from "./paper.js";
+import { clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
 
 const FILE = new URL("../../waves/bunny.bin", import.meta.url);
 const WHOLE = 2 ** 15;                    // a wave of length 1 in units of the file
@@ -130,8 +130,7 @@ export function show(place) {
     const left = 100 * distanceLeft(bunny.strength, 3 * bunny.faces.length, k) / bunny.height;
     said.innerHTML = `<b class="orange">${k} of ${bunny.count} waves</b>: the vertices are ` +
       `${left.toFixed(1)} % of the bunny's height away from their places.`;
-    const told = `The sum is ${shape}.`;
-    if (answer.textContent !== told) answer.textContent = told;
+    say(answer, `The sum is ${shape}.`);
   }
 
   async function load() {

@@ -1,7 +1,7 @@
 /** Lectures 00 and 09: a triangle descends to the one that made a picture. */
 import { adamStep, lossOf, render } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
-import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
+import { button, clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
 
 const WIDTH = 24, HEIGHT = 16, STEPS = 240;
 const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
@@ -22,11 +22,12 @@ function verdict(triangle, { gradients, loss }) {
 export function show(place) {
   const target = render(TARGET, WIDTH, HEIGHT).picture;
   let triangle, means, squares, step, losses;
+  const redraw = eachFrame(draw);
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
     "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for",
-    eachFrame(draw));
+    redraw);
   const curve = new Sheet([0, STEPS, LOWEST * 14, HIGHEST * 14],
-    "The loss after each step, falling", eachFrame(draw));
+    "The loss after each step, falling", redraw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const handles = START.map((at, k) => sheet.handle({
@@ -35,7 +36,6 @@ export function show(place) {
       begin(triangle.map((vertex, n) => (n === k ? to : vertex)));
       redraw();
     } }));
-  const redraw = eachFrame(draw);
   const play = player("Play", () => {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     if (step === STEPS || found.loss < 1e-6) return false;
@@ -88,7 +88,7 @@ export function show(place) {
       curve.line(losses.map((loss, n) =>
         [n, 14 * clamp(Math.log10(loss), LOWEST, HIGHEST)]), "curve descent"));
     said.innerHTML = `Step ${step}: loss <b class="green">${found.loss.toFixed(5)}</b>`;
-    answer.textContent = verdict(triangle, found);
+    say(answer, verdict(triangle, found));
   }
 
   begin(START);

@@ -1,11 +1,12 @@
 /** Lecture 02: three edge functions decide which pixels a triangle covers. */
-import { button, eachFrame, html, number, Sheet } from "./paper.js";
+import { button, centreOf, eachFrame, html, number, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8;
-const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
 const START = [[1.25, 2.25], [8.5, 1.5], [5.5, 7.5], [11.25, 5.25]];
 const CHOSEN = [7.5, 3.5];               // a centre on the edge that both triangles share
 const SUB = "₀₁₂";
+
+export const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
 
 /** Eq. (1): positive on the left of the line from a to b, and -edgeFunction(p, b, a) exactly. */
 export function edgeFunction([x, y], [x0, y0], [x1, y1]) {
@@ -91,11 +92,11 @@ export function show(place) {
     const triangle = points.slice(0, 3);
     const [edges, l] = [edgesAt(p, triangle), screenWeights(p, triangle)];
     const second = [points[2], points[1], points[3]];
-    const centres = Array.from({ length: WIDTH * HEIGHT }, (_, n) =>
-      [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5]);
-    const seen = centres.map((centre) => ({
-      centre, first: isCovered(centre, triangle), second: isCovered(centre, second),
-      onEdge: isOnEdge(centre, points[1], points[2]) }));
+    const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) => {
+      const centre = centreOf(n, WIDTH);
+      return { centre, first: isCovered(centre, triangle), second: isCovered(centre, second),
+               onEdge: isOnEdge(centre, points[1], points[2]) };
+    });
     const kind = ({ first, second }) =>
       (first && second ? "both" : first ? "first" : second ? "second" : "none");
     sheet.draw(

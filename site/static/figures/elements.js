@@ -23,6 +23,14 @@ export function number(x, decimals = 3) {
 
 export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
+/** The centre of pixel n of a picture, rows from below. */
+export const centreOf = (n, width) => [n % width + 0.5, Math.floor(n / width) + 0.5];
+
+/** Says a sentence once: what is written again, a screen reader says again. */
+export function say(answer, sentence) {
+  if (answer.textContent !== sentence) answer.textContent = sentence;
+}
+
 /** A slider with its label and its value. changed(value) is called when it moves. -> set(value) */
 export function slider({ label, min, max, step, value, unit = "", changed }) {
   const said = html("output");

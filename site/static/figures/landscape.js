@@ -1,6 +1,6 @@
 /** Lecture 09: the loss over all places of one vertex, sampled and blended. */
 import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
-import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
+import { button, centreOf, clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
@@ -57,15 +57,15 @@ function paintMap(canvas, isBlended) {
 
 export function show(place) {
   let vertex, path, means, squares, stopMap = () => {};
+  const redraw = eachFrame(draw);
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "A map of the loss for each place of vertex 2 of a triangle", eachFrame(draw));
+    "A map of the loss for each place of vertex 2 of a triangle", redraw);
   const canvas = html("canvas", { width: WIDTH * FINE, height: HEIGHT * FINE,
                                   "aria-hidden": "true" });
   sheet.box.prepend(canvas);
   sheet.box.classList.add("light");
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const redraw = eachFrame(draw);
   const handle = sheet.handle({
     name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT], at: START,
     moved: (to) => {
@@ -108,7 +108,7 @@ export function show(place) {
     const triangle = triangleOf(vertex);
     sheet.draw(
       covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
-        [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5], 2.2, inside ? "sample point" : "sample")),
+        centreOf(n, WIDTH), 2.2, inside ? "sample point" : "sample")),
       sheet.line([...GOAL, GOAL[0]], "goal"),
       sheet.line([...triangle, triangle[0]], "outline found"),
       sheet.line(path, "curve descent"),
@@ -116,9 +116,8 @@ export function show(place) {
                            "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
-    const told = !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
-      : loss < 1e-6 ? "Found." : "";
-    if (answer.textContent !== told) answer.textContent = told;
+    say(answer, !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
+      : loss < 1e-6 ? "Found." : "");
   }
 
   begin(START);
@@ -128,7 +127,7 @@ export function show(place) {
         html("b", { class: "green" }, "green"), " arrow points downhill.")),
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
+      html("label", {}, blend, html("span", {}, "blend the edges (lab 8)")),
       html("div", { class: "buttons" }, play.element, reset))));
   stopMap = paintMap(canvas, true);
   draw();

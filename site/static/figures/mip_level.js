@@ -1,5 +1,6 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
-import { clamp, eachFrame, html, number, player } from "./paper.js";
+import { toSrgb } from "./msaa_samples.js";
+import { centreOf, clamp, eachFrame, html, number, player } from "./paper.js";
 import { coded, Picture, probeAll } from "./picture.js";
 
 const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
@@ -8,11 +9,10 @@ const TURN = 0.35, PERIOD = 2;           // how it lies on the floor; the eye is
 const ZOOM = 120, CHOSEN = [100.5, 152.5];
 const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0.96, 0.94];
 
-/** The codes of mixtures of light, from DARK to LIGHT. */
+/** Mixtures of light, from DARK to LIGHT, as codes. */
 const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-const toCode = (light) => light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
 const SHADES = Uint32Array.from({ length: 257 }, (_, n) => coded(DARK.map((dark, k) =>
-  toCode(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
+  toSrgb(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
 const shade = (value) => SHADES[Math.round(256 * value)];
 
 /** Eq. (5): each texel of the next level is the mean of 2 x 2, image[row][column]. */
@@ -119,8 +119,7 @@ export function show(place) {
   });
 
   // The walk changes neither J nor the level of a pixel.
-  const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) =>
-    floorAt([n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5]));
+  const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) => floorAt(centreOf(n, WIDTH)));
   const [us, vs, levels] = [({ uv }) => uv[0], ({ uv }) => uv[1], levelOf].map((of) =>
     Float64Array.from(seen, (point) => (point ? of(point) : NaN)));
 

@@ -1,7 +1,7 @@
 /** Lecture 04: many samples say which face is seen, and few shades give their colours. */
 import { isCovered } from "./edge_functions.js";
-import { button, eachFrame, html, Sheet, svg } from "./paper.js";
-import { Picture } from "./picture.js";
+import { button, centreOf, eachFrame, html, Sheet, svg } from "./paper.js";
+import { Picture, probeAll } from "./picture.js";
 
 const WIDTH = 24, HEIGHT = 14;
 const STEPS = { 1: 1, 4: 3, 16: 4 };     // k of eq. (3) for S samples
@@ -97,20 +97,17 @@ export function show(place) {
       near = [near[0], near[1], to];
       redraw();
     } });
-  picture.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-    moved: (to) => {
-      p = to;
-      redraw();
-    } });
+  probeAll([picture], CHOSEN, (to) => {
+    p = to;
+    redraw();
+  });
 
   function draw() {
     const pattern = standardPattern(count);
     const faceIndex = rasterizeSamples([near, FAR], WIDTH, HEIGHT, pattern);
     const requests = shadingRequests(faceIndex);
-    const shades = requests.face.map((face, k) => shadeAt(
-      [requests.pixel[k] % WIDTH + 0.5, Math.floor(requests.pixel[k] / WIDTH) + 0.5], face));
+    const shades = requests.face.map((face, k) =>
+      shadeAt(centreOf(requests.pixel[k], WIDTH), face));
     const resolved = resolve(shades, requests.request, BACKGROUND);
     const numberOf = ([x, y]) => Math.floor(y) * WIDTH + Math.floor(x);
     picture.paint((x, y) => resolved[numberOf([x, y])].map(toSrgb));

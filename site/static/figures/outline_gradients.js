@@ -1,9 +1,9 @@
 /** Lecture 10: the sweep of neural_renderer and the soft silhouette of SoftRas, for one triangle.
  *  Pictures and triangles are those of pixel_coverage.js. */
-import { clamp } from "./elements.js";
+import { EDGES } from "./edge_functions.js";
+import { centreOf, clamp } from "./elements.js";
 import { noGradient, picture } from "./pixel_coverage.js";
 
-const EDGES = [[1, 2], [2, 0], [0, 1]];      // edge k is opposite to vertex k
 const LEAST_PROBABILITY = 1e-6;
 
 // neural_renderer's sweep
@@ -69,7 +69,7 @@ export function nearestOnBorder(point, triangle) {
 
 /** Eq. (9) of a pixel, and what its derivative needs. */
 function softPixel(triangle, n, width, sigma) {
-  const near = nearestOnBorder([n % width + 0.5, Math.floor(n / width) + 0.5], triangle);
+  const near = nearestOnBorder(centreOf(n, width), triangle);
   const probability = 1 / (1 + Math.exp(-near.sign * near.square / sigma));
   return { ...near, probability: probability > LEAST_PROBABILITY ? probability : 0 };
 }

@@ -1,10 +1,10 @@
 /** Lecture 07: a triangle is a rubber sheet. A vertex that moves drags it along under a pixel. */
+import { EDGES } from "./edge_functions.js";
 import { toSrgb } from "./msaa_samples.js";
 import { button, clamp, eachFrame, html, number } from "./paper.js";
 import { coded, Picture } from "./picture.js";
 
 const WIDTH = 16, HEIGHT = 12;
-const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
 const START = [[2.5, 2.5], [13, 4], [5.5, 10.5]], CHOSEN = [6.5, 5.5];
 const VALUES = [0.9, 0.1, 0.4];          // r: the light of the vertices
 const LEVELS = [0.25, 0.5, 0.75];        // the sheet's lines: where a weight has these values

@@ -1,5 +1,5 @@
 /** Lecture 15: a grid of signed distances, the outline between its signs, and its way back. */
-import { button, eachFrame, html, player, Sheet } from "./paper.js";
+import { button, eachFrame, html, player, say, Sheet } from "./paper.js";
 
 const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
 const RADIUS = 0.75, TUBE = 0.32, BALL = 0.86;
@@ -146,9 +146,8 @@ export function show(place) {
       segments.map(([i, j]) => sheet.line([vertices[i].p, vertices[j].p], "edge")));
     const count = pieces(distance);
     said.innerHTML = `Step ${step}: <b class="red">${count} piece${count === 1 ? "" : "s"}</b>`;
-    const told = count === 1 ? "One outline."
-      : `${count} outlines: signs have changed, and nothing else.`;
-    if (answer.textContent !== told) answer.textContent = told;
+    say(answer, count === 1 ? "One outline."
+      : `${count} outlines: signs have changed, and nothing else.`);
   }
 
   begin();

@@ -1,15 +1,11 @@
 """Pages with one figure each, its formulas, and its numbers as they are shown."""
 import json
 import shutil
-import sys
 
 import pytest
-from reading import NAMES, SOURCE, opened
-from serving import ROOT, served
-
-sys.path.append(str(ROOT / "site"))
-
 from pages import waves
+from reading import NAMES, SOURCE, opened
+from serving import served
 
 PAGE = """<!doctype html>
 <html lang="en">
