@@ -27,6 +27,7 @@ templates_path = ["templates"]
 html_theme = "furo"
 html_favicon = str(SITE / "static" / "icon.svg")
 html_title = project
+html_short_title = "Differentiable rasterization"
 html_math_renderer = "mathml"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
@@ -49,8 +50,10 @@ extensions += ["pages.descriptions", "sphinxext.opengraph", "notfound.extension"
 ogp_social_cards = {"enable": False}
 notfound_urls_prefix = f"{urlsplit(ADDRESS).path}/"
 notfound_context = {"title": "Page not found", "body": f"""<h1>Page not found</h1>
-<p>There is no page at this address. Look for it with the search, in the list of all pages, or
-begin at <a href="{notfound_urls_prefix}index.html">the front page</a>.</p>"""}
+<p>There is no page at this address. Look for it with
+<a href="{notfound_urls_prefix}search.html">the search</a>, in
+<a href="{notfound_urls_prefix}labs/index.html">the list of all labs</a>, or begin at
+<a href="{notfound_urls_prefix}index.html">the front page</a>.</p>"""}
 if ADDRESS:
     html_baseurl = ogp_site_url = f"{ADDRESS}/"
     ogp_image = f"{ADDRESS}/still_life.jpg"

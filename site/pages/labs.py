@@ -147,7 +147,7 @@ def question(course, name):
     """An exercise: its mark, its signature, its docstring, and links."""
     exercise, (module, node) = course.exercises[name], module_and_node(course, name)
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
-             f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
+             f'<pre class="signature"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),

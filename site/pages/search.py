@@ -20,8 +20,10 @@ SKIPPED = (nodes.literal_block, nodes.math, nodes.math_block, nodes.image, nodes
            nodes.title, nodes.term, addnodes.index, addnodes.toctree, addnodes.desc_signature)
 INLINE = re.compile(r"</?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>")
 UNSEEN = re.compile(r"<(pre|svg|math|script|style)\b.*?</\1>|<[^>]*>", re.DOTALL)
-SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:belongs|exercises|marks|modules|'
-                            r'names|overview|read-on)".*?</\1>', re.DOTALL)
+SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:as-typed|belongs|exercises|marks|'
+                            r'modules|names|number|overview|read-on)".*?</\1>', re.DOTALL)
+SHAPE = re.compile(r"(?:\s->)?\s\((?=\.{3}|[^()]*,)"
+                   r"(?:(?:\.{3}|[A-Z]\w*|[1-9]\d*)(?:,\s*|(?=\))))+\)")
 EQUATION = re.compile(r"\b([Ee])q\. \(")
 KINDS = {"lectures": "Lecture", "labs": "Lab", "reference": "Annotated source",
          "given": "Given code"}
@@ -55,6 +57,8 @@ def records(name, page):
     yield [f"{name}.html", head, KINDS.get(folder, "Page"), shown(parts[0][2])]
     known = asked(topic) if folder == "reference" else ()
     place = f"{name}.py" if folder in ("reference", "given") else head.partition(":")[0]
+    if name == "labs/index":  # its sections are pages
+        return
     for anchor, title, words in parts[1:]:
         if anchor.startswith("exercise-"):
             title = f"Exercise {title}"
@@ -84,7 +88,7 @@ def page_title(name, title):
 
 def gather(node, parts):
     """Append [anchor, title, words] of all that begins in a node; its words belong to the last."""
-    if isinstance(node, SKIPPED) or "cell_input" in node.get("classes", ()):
+    if isinstance(node, SKIPPED) or {"cell_input", "letters"} & {*node.get("classes", ())}:
         return
     begun = part(node)
     if begun:
@@ -99,9 +103,9 @@ def gather(node, parts):
 
 
 def seen(source):
-    """HTML -> the words that a reader sees."""
+    """HTML -> the words that a reader sees, without arrays' shapes and equations' numbers."""
     source = INLINE.sub("", SAID_ELSEWHERE.sub(" ", source))
-    return html.unescape(UNSEEN.sub(" ", source))
+    return SHAPE.sub("", html.unescape(UNSEEN.sub(" ", source)))
 
 
 def part(node):

@@ -25,7 +25,8 @@ INLINE = re.compile(rf"`(?P<code>[^`]+)`|(?:\b[Ee]q\. )?{EQUATION}|\b(?P<file>\w
 def docstring(course, module, node):
     """-> MyST of the docstring of a module, a function or a class.
 
-    A module's equations are typeset below its table of them, a function's below what names them.
+    A module's equations are typeset below its table of them, which is folded where this says all.
+    A function's are typeset below what names them.
     """
     is_module, parts, seen, is_folded = isinstance(node, ast.Module), [], set(), False
     own = set() if is_module else set(bound(node))
@@ -33,7 +34,10 @@ def docstring(course, module, node):
         if paragraph.startswith("Fine print."):
             parts.append('<details class="fine-print"><summary>Fine print.</summary>')
             paragraph, is_folded = paragraph.removeprefix("Fine print.").strip(), True
-        parts.append(block(course, module, paragraph, own, is_first=rank == 0))
+        shown = block(course, module, paragraph, own, is_first=rank == 0)
+        if is_module and is_typeset(paragraph, course.equations(module)):
+            shown = f'<details class="as-typed"><summary>As typed</summary>{shown}</details>'
+        parts.append(shown)
         if is_module == is_table(paragraph):
             new = named_equations(paragraph) & set(course.equations(module)) - seen
             seen |= new
@@ -47,6 +51,12 @@ def docstring(course, module, node):
 def is_table(paragraph):
     """Is it aligned by hand: further in, or with gaps? An example is not."""
     return bool(re.search(r"^ |\S {3,}\S", paragraph, re.M)) and not paragraph.startswith(">>> ")
+
+
+def is_typeset(paragraph, equations):
+    """Is it a table whose every line is one of these equations, with its number at the end?"""
+    numbers = [re.search(r"\((\d+)\)$", line) for line in paragraph.splitlines()]
+    return is_table(paragraph) and all(found and int(found[1]) in equations for found in numbers)
 
 
 def paragraphs(text):

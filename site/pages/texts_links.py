@@ -13,6 +13,7 @@ from .names import document, function_page
 
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(?<![`[])`((?:\w+\.)?\w+)`(?![`\w])")
+GLOSSARY = "```{glossary}\n"
 
 
 def write(folder, lite):
@@ -22,7 +23,16 @@ def write(folder, lite):
     """
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
         if lite or path.stem != "in_the_browser":
-            put(folder / path.name, linked(path.read_text("utf-8"), "site/texts"))
+            text = linked(path.read_text("utf-8"), "site/texts")
+            put(folder / path.name, text.replace(GLOSSARY, letters(text) + GLOSSARY))
+
+
+def letters(text):
+    """A row of letters, each a link to the glossary's first word that begins with it."""
+    words = re.findall(r"^\w.*", text.partition(GLOSSARY)[2], re.MULTILINE)
+    first = {word[0].upper(): word for word in reversed(words)}
+    row = " ".join(f"{{term}}`{letter} <{first[letter]}>`" for letter in sorted(first))
+    return f"{{.letters}}\n{row}\n\n"
 
 
 def linked(text, place, lab=0, up=""):

@@ -58,23 +58,28 @@ function element(name, className, ...children) {
 function excerpt(title, text, every) {
   const first = title.search(every) < 0 ? Math.max(0, text.search(every) - EXCERPT / 3) : 0;
   const start = first ? text.indexOf(" ", first) + 1 : 0;
-  const goesOn = start + EXCERPT < text.length, shown = element("p", "");
+  const goesOn = start + EXCERPT < text.length;
   const cut = text.slice(start, goesOn ? text.lastIndexOf(" ", start + EXCERPT) : undefined);
+  return element("p", "", ...marked(cut, every), goesOn ? " …" : "");
+}
+
+// A text in pieces: what is found is marked.
+function marked(text, every) {
+  const pieces = [];
   let end = 0;
-  for (const match of cut.matchAll(every)) {
-    shown.append(cut.slice(end, match.index), element("mark", "", match[0]));
+  for (const match of text.matchAll(every)) {
+    pieces.push(text.slice(end, match.index), element("mark", "", match[0]));
     end = match.index + match[0].length;
   }
-  shown.append(cut.slice(end), goesOn ? " …" : "");
-  return shown;
+  return [...pieces, text.slice(end)];
 }
 
 function show(records) {
   const query = form.q.value.trim(), patterns = asked(query);
   const found = patterns.length ? search(records, patterns) : [];
-  const every = new RegExp(patterns.join("|"), "giu");
+  const every = new RegExp(`(?:${patterns.join("|")})[\\p{L}\\p{N}_]*`, "giu"); // whole words
   list.replaceChildren(...found.slice(0, SHOWN).map(([address, title, place, text]) => {
-    const link = element("a", "", title);
+    const link = element("a", "", ...marked(title, every));
     link.href = address;
     return element("li", "", link, element("span", "place", place), excerpt(title, text, every));
   }));

@@ -77,7 +77,8 @@ def test_the_page_says_the_commands_and_the_numbers_of_the_readme(index):
 
 
 def test_cards_lead_where_they_say(index):
-    """Somebody who wants lecture 1 comes to a table of modules."""
+    """Somebody who wants lecture 1 comes to a table of modules, or a beginner to its middle."""
+    assert index.select_one(".begin a.first")["href"] == "lectures/00_start_here.html"
     cards = {card.h3.text: [(link.text, link["href"]) for link in card.find_all("a")]
              for card in index.select(".cards > div")}
     first = ("Lecture 1, Transforms", "lectures/01_transforms.html")
@@ -158,3 +159,5 @@ def test_a_lost_reader_finds_back_from_any_folder(published):
     assert "/course/index.html" in inside
     assert [link for link in inside if not link.startswith("/course/")] == []
     assert page.h1.text == "Page not found"
+    assert [link["href"] for link in page.article.select("p a")] == [
+        "/course/search.html", "/course/labs/index.html", "/course/index.html"]

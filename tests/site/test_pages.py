@@ -86,6 +86,27 @@ def test_a_page_opens_without_a_fault(page, site_page):
         assert opened.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
 
 
+def test_a_phones_bar_can_be_hit_and_read(site_page):
+    """The buttons are as small as a letter, or the title takes two lines; a signature is cut."""
+    opened, _ = site_page("labs/08_antialiasing.html", 375)
+    boxes = [button.bounding_box() for button in
+             opened.locator(".mobile-header :is(label, button)").all() if button.is_visible()]
+    assert len(boxes) == 3
+    assert all(min(box["width"], box["height"]) >= 40 for box in boxes), boxes
+    assert opened.locator(".mobile-header .brand").bounding_box()["height"] < 40
+    assert opened.title().endswith("Differentiable rasterization in plain NumPy")
+    assert opened.eval_on_selector_all(
+        ".signature", "all => all.filter(one => one.scrollWidth > one.clientWidth).length") == 0
+
+
+def test_the_glossarys_letters_lead_to_their_first_words():
+    """A reader looks for a word with T, and scrolls through all before."""
+    letters = {link.text: link["href"] for link in soup("glossary.html").select(".letters a")}
+    assert letters["A"] == "#term-Adam" and letters["T"] == "#term-tangential-relaxation"
+    words = {term.get_text()[0].upper() for term in soup("glossary.html").select("dl.glossary dt")}
+    assert [*letters] == sorted(words)
+
+
 def faults(opened, **rules):
     """What axe finds. It looks at the code's colours on six pages alone."""
     parts = None if rules else {"exclude": [[".highlight pre"]]}

@@ -9,6 +9,7 @@ from pages.posters import poster
 from PIL import Image
 from serving import ROOT, served
 
+# As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]
 HEAD = ('<!doctype html><html lang="en"><title>t</title><link rel="icon" href="data:,">'
         '<link rel="stylesheet" href="static/players/players.css">'
@@ -54,7 +55,7 @@ def animation(more=""):
 
 
 def test_the_still_is_the_first_frame(place, tmp_path):
-    """Films begin with what they come to, so the last frame is the one before it."""
+    """A film's file begins with what it comes to, so its last frame is the one before the end."""
     assert np.all(np.asarray(Image.open(tmp_path / "still.png").convert("RGB")) == FRAMES[0])
 
 
@@ -72,17 +73,18 @@ def test_an_animation_is_fetched_when_it_is_played(page, place):
 
 @pytest.mark.parametrize(("key", "frame"), [("Home", 0), ("End", 2)])
 def test_the_slider_shows_a_frame_by_keys(page, place, key, frame):
-    """The slider is one frame off, or only answers to a mouse."""
+    """At rest the end is shown, and the slider stands at the beginning; or it is one frame off."""
     page.goto(place(animation()))
     slider = page.get_by_role("slider")
     slider.wait_for()
-    assert slider.get_attribute("aria-valuetext") == "1 of 3"
-    slider.press("ArrowRight")
+    assert slider.input_value() == "2"
+    assert slider.get_attribute("aria-valuetext") == "3 of 3"
+    slider.press("ArrowLeft")
     page.wait_for_selector("canvas")
     assert slider.get_attribute("aria-valuetext") == "2 of 3"
     slider.press(key)
     page.wait_for_function("n => document.querySelector('input').value == n", arg=frame)
-    assert page.evaluate(SHADE) == FRAMES[frame][0, 0].tolist()
+    assert page.evaluate(SHADE) == FRAMES[(frame + 1) % 3][0, 0].tolist()
     assert slider.get_attribute("aria-valuetext") == f"{frame + 1} of 3"
 
 
@@ -92,7 +94,7 @@ def test_it_plays_by_a_finger_and_stops(browser, place):
     page = context.new_page()
     page.goto(place(animation()))
     page.get_by_role("button", name="Play").tap()
-    page.wait_for_function("document.querySelector('input').value == 2")
+    page.wait_for_function("document.querySelector('input').value == 1")
     page.get_by_role("button", name="Pause").tap()
     shown = page.locator("input").input_value()
     page.wait_for_timeout(400)
@@ -142,7 +144,7 @@ def test_quick_pauses_do_not_make_it_faster(page, place):
 
 
 def test_play_goes_on_at_once(page, place, tmp_path):
-    """The first frame stays for seconds: the reader has pressed the button, and nothing moves."""
+    """The end stays for seconds: the reader has pressed the button, and nothing moves."""
     film(tmp_path / "film.png", duration=60_000)
     page.goto(place(animation()))
     page.get_by_role("button", name="Play").click()
@@ -168,7 +170,7 @@ def test_it_rests_while_it_is_out_of_sight(page, place):
 
 
 def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
-    """Each step of the first drag fetches the film; its middle shows the end."""
+    """Each step of the first drag fetches the film; its middle shows another place."""
     asked = []
     page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
     page.goto(place(animation()))
@@ -181,7 +183,7 @@ def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
     }""")
     assert slider.input_value() == "1"
     page.wait_for_selector("canvas")
-    assert page.evaluate(SHADE) == FRAMES[1][0, 0].tolist()
+    assert page.evaluate(SHADE) == FRAMES[2][0, 0].tolist()
     assert asked.count("film.png") == 1
 
 

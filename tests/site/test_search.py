@@ -78,6 +78,26 @@ def test_results_are_announced_and_reached_by_keyboard(page, address):
     page.wait_for_url("**/glossary.html#term-shadow-acne")
 
 
+def test_a_row_marks_whole_words_in_its_title_and_has_no_shapes(page, address):
+    """Half a word is yellow; a docstring is quoted as "where the line meets: c (...). (3)"."""
+    page.goto(f"{address}/search.html?q=crossin")
+    found(page, "crossin")
+    marks = page.eval_on_selector_all("#found a mark", "all => all.map(one => one.textContent)")
+    assert "crossing" in marks and "crossin" not in marks
+    page.fill("#search input", "8.7")
+    found(page, "8.7")
+    words = page.text_content("#found p")
+    assert "Equation (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c." in words
+    assert "..." not in words and "c. (3)" not in words
+
+
+def test_a_lab_has_one_row(page, address):
+    """The page of the lab and its part of the list of labs say the same words."""
+    page.goto(f"{address}/search.html?q=lab+8")
+    links, _ = found(page, "lab 8")
+    assert not [link for link in links if "/labs/index.html#" in link]
+
+
 def test_the_search_finds_from_disk_too(browser):
     """The site was copied to a laptop, and what the search fetches may not be fetched there."""
     page = browser.new_page()

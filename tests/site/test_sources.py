@@ -43,7 +43,8 @@ def letters(text):
 def prose(element):
     """The text of a docstring's place on a page, without what was added to it."""
     element = copy.copy(element)
-    for added in element.select(".marks, .equation, .belongs, .signature, .read-on, h2"):
+    for added in element.select(".marks, .equation, .belongs, .signature, .read-on, h2, "
+                                ".as-typed > summary"):
         added.decompose()
     return element.get_text()
 
@@ -149,6 +150,13 @@ def test_many_equations_are_typeset():
     """The check above finds nothing where no equation is named."""
     shown = {name: len(source_page(name).select(".equation")) for name in MODULES}
     assert sum(shown.values()) > 400
+
+
+def test_a_table_of_equations_is_folded_where_all_of_it_is_typeset():
+    """The equations stand there twice; or a line that is only in the table is hidden."""
+    folded = {name for name in MODULES if source_page(name).select(".opening .as-typed .table")}
+    assert {"reference.antialiasing", "reference.sampling"} <= folded
+    assert not folded & {"reference.arrays", "reference.received_light", "course.given.sweeps"}
 
 
 def test_a_number_without_an_exercise_says_what_is_given_there():

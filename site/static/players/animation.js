@@ -4,16 +4,17 @@
 //   <figure class="animation" data-file="x.png" data-frames="25" [data-autoplay]>
 //     <img src="still.png"></figure>
 //
-// A canvas takes the place of the still, which is the first frame. A browser that cannot decode
-// frames shows the file itself, which plays on its own.
+// A canvas takes the place of the still, which is the film's end: the file's first frame, so that
+// the film stands there where nothing moves. A browser that cannot decode frames shows the file
+// itself, which plays on its own.
 import { make } from "./make.js";
 
 export function show(figure) {
-  const { file, frames } = figure.dataset;
+  const { file, frames } = figure.dataset, end = frames - 1;
   const still = figure.querySelector("img"), poster = still.src;
   const decodes = "ImageDecoder" in window;
   const play = make("button", { type: "button" });
-  const slider = make("input", { type: "range", max: frames - 1, value: 0, ariaLabel: "Frame" });
+  const slider = make("input", { type: "range", max: end, value: end, ariaLabel: "Frame" });
   const told = make("span", { role: "status" });
   const controls = make("div", { className: "controls" });
   const canvas = make("canvas", { role: "img", ariaLabel: still.alt });
@@ -28,7 +29,7 @@ export function show(figure) {
   };
   const fail = () => {
     film = null; // the next press fetches it again
-    slider.value = 0;
+    slider.value = end;
     set(false, "The film did not load. Press play to try again.");
   };
   // Draw the slider's frame. While the film plays in sight, the next one follows.
@@ -59,7 +60,7 @@ export function show(figure) {
     draw();
   });
   still.addEventListener("error", () => playing && fail());
-  slider.ariaValueText = `1 of ${frames}`;
+  slider.ariaValueText = `${frames} of ${frames}`;
   controls.append(play, slider, told);
   figure.append(controls);
   set("autoplay" in figure.dataset && !matchMedia("(prefers-reduced-motion: reduce)").matches);
@@ -69,12 +70,13 @@ export function show(figure) {
   }).observe(figure);
 }
 
-// All frames of the file. Each knows its duration in microseconds.
+// The film's frames from its beginning to its end. Each knows its duration in microseconds.
 async function decoded(file, frames) {
   const response = await fetch(file);
   const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/png" });
   const all = Array.from({ length: frames }, (_, frameIndex) => decoder.decode({ frameIndex }));
-  return (await Promise.all(all)).map(({ image }) => image);
+  const [end, ...others] = (await Promise.all(all)).map(({ image }) => image);
+  return [...others, end];
 }
 
 function takePlace(canvas, still, { displayWidth, displayHeight }) {
