@@ -112,6 +112,7 @@ def test_a_lecture_runs_from_its_first_cell_to_its_last(contents):
 def test_every_lecture_finds_what_it_imports(contents):
     """trimesh and xatlas are not there: no scene needs them when it is imported."""
     told = as_in_a_browser(contents, """
+from pathlib import Path
 from IPython.core.interactiveshell import InteractiveShell
 
 shell = InteractiveShell.instance()

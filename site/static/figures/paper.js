@@ -22,7 +22,7 @@ export class Sheet {
     this.svg = svg("svg", { role: "img", "aria-label": label });
     this.box = html("div", { class: "sheet" }, this.svg);
     this.box.style.aspectRatio = (x1 - x0) / (y1 - y0);
-    new ResizeObserver(draw).observe(this.box);
+    new ResizeObserver(() => this.box.clientWidth && draw()).observe(this.box); // else hidden
     this.followPointers();
   }
 
