@@ -1,6 +1,6 @@
 /** Lecture 16: which numbers of the grid does one pixel of a picture pull, and by what? */
 import { EYE, isOutside, onStrip, PIXELS, pull, render, STRIP, WIDTH } from "./carving.js";
-import { button, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
 import { marchingTriangles, POINTS } from "./sign_grid.js";
 
 const RATE = 0.005, MOMENTUM = 0.9, STEPS = 300;
@@ -76,7 +76,7 @@ export function show(place) {
       pixel = Math.round(onStrip([x, STRIP]) - 0.5);
       redraw();
     } });
-  const play = player("Play", () => {
+  const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
     const gradient = pull(all, target, distance);
@@ -84,12 +84,7 @@ export function show(place) {
     distance = distance.map((s, n) => s - RATE * velocity[n]);
     draw();
     return true;
-  });
-  const reset = button("Reset", () => {
-    play.stop();
-    begin();
-    redraw();
-  });
+  }, begin, redraw);
 
   function begin() {
     distance = POINTS.map((p) => Math.min(discs(p, FOUND), skin(p, SKIN)));
@@ -193,6 +188,6 @@ export function show(place) {
         html("b", { class: "orange" }, "orange −"), " it lowers it: the surface advances.")),
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("div", { class: "buttons" }, play.element, reset), ended)));
+      html("div", { class: "row" }, ...buttons), ended)));
   draw();
 }

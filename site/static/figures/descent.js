@@ -1,7 +1,7 @@
 /** Lectures 00 and 09: a triangle descends to the one that made a picture. */
 import { adamStep, lossOf, render } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
-import { button, clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { clamp, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
 
 const WIDTH = 24, HEIGHT = 16, STEPS = 240;
 const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
@@ -37,18 +37,13 @@ export function show(place) {
       begin(triangle.map((vertex, n) => (n === k ? to : vertex)));
       redraw();
     } }));
-  const play = player("Play", () => {
+  const buttons = playAndReset(() => {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     if (step === STEPS || found.loss < 1e-6) return false;
     descend(found.gradients);
     draw();
     return true;
-  });
-  const reset = button("Reset", () => {
-    play.stop();
-    begin(START);
-    redraw();
-  });
+  }, () => begin(START), redraw);
 
   function begin(from) {
     [triangle, means, squares, step, losses] = [from, Array(6).fill(0), Array(6).fill(0), 0, []];
@@ -100,6 +95,6 @@ export function show(place) {
         html("b", { class: "green" }, "green"), " arrows are the gradient, turned downhill.")),
     sheet.box,
     html("div", { class: "told" }, said, answer, curve.box,
-      html("div", { class: "buttons" }, play.element, reset))));
+      html("div", { class: "row" }, ...buttons))));
   draw();
 }

@@ -76,6 +76,16 @@ export function player(label, step) {
   return { element, stop };
 }
 
+/** Play calls step(), as player says. Reset stops it, and calls begin() and draw(). -> both. */
+export function playAndReset(step, begin, draw) {
+  const play = player("Play", step);
+  return [play.element, button("Reset", () => {
+    play.stop();
+    begin();
+    draw();
+  })];
+}
+
 export function button(label, pressed) {
   const element = html("button", { type: "button" }, label);
   element.addEventListener("click", pressed);

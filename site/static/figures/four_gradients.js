@@ -1,10 +1,9 @@
 /** Lecture 10: one triangle, a target, and what four gradients say of the triangle's outline. */
 import { covered, render, renderBackward } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
-import { toSrgb } from "./msaa_samples.js";
 import { softSilhouette, softSilhouetteBackward, sweepBackward } from "./outline_gradients.js";
 import { button, clamp, eachFrame, html, number, slider } from "./paper.js";
-import { Picture } from "./picture.js";
+import { Picture, toSrgb } from "./picture.js";
 import { pixelCoverage, pixelCoverageBackward } from "./pixel_coverage.js";
 
 const WIDTH = 24, HEIGHT = 14, SIZE = [WIDTH, HEIGHT];

@@ -1,6 +1,6 @@
 /** Lecture 09: the loss over all places of one vertex, sampled and blended. */
 import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
-import { button, centreOf, clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { centreOf, clamp, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
@@ -104,7 +104,7 @@ export function show(place) {
     begin(vertex);
     redraw();
   });
-  const play = player("Play", () => {
+  const buttons = playAndReset(() => {
     const { loss, gradient } = lossAt(vertex, blend.checked);
     const n = path.length;
     if (n > STEPS || loss < 1e-7 || gradient.every((slope) => slope === 0)) return false;
@@ -115,12 +115,7 @@ export function show(place) {
     handle.set(vertex);
     draw();
     return true;
-  });
-  const reset = button("Reset", () => {
-    play.stop();
-    begin(START);
-    redraw();
-  });
+  }, () => begin(START), redraw);
 
   function begin(from) {
     [vertex, path, means, squares] = [from, [from], [0, 0], [0, 0]];
@@ -164,7 +159,7 @@ export function show(place) {
     sheet.box,
     html("div", { class: "told" }, said, answer,
       html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
-      html("div", { class: "buttons" }, play.element, reset))));
+      html("div", { class: "row" }, ...buttons))));
   stopMap = paintMap(canvas, true, values, redraw);
   draw();
 }

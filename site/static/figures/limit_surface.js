@@ -1,7 +1,8 @@
 /** Lecture 11: pull a vertex of the cage, and Loop's limit surface follows. */
+import { canvasOf, paint } from "./facets.js";
 import { button, eachFrame, html, Sheet } from "./paper.js";
 
-const STEPS = 3, LIGHT = [-0.36, 0.55, 0.75], SHEET = [-1.1, 2.1, -0.92, 1.08];
+const STEPS = 3, SHEET = [-1.1, 2.1, -0.92, 1.08];
 const RIM = 0.12;                         // the handle stays whole
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 const TURN = [[0.86, 0.12, -0.5], [0.1, 0.92, 0.39], [0.5, -0.38, 0.78]];  // rows: right, up, near
@@ -104,8 +105,7 @@ export function show(place) {
   const redraw = eachFrame(draw);
   const sheet = new Sheet(SHEET,
     "A cage of twenty triangles, and the smooth surface in it", redraw);
-  const canvas = html("canvas", { "aria-hidden": "true" });
-  sheet.box.prepend(canvas);
+  const begun = canvasOf(sheet);
   const handle = sheet.handle({
     name: "Vertex of the cage", step: 0.1, at: start[held].slice(0, 2),
     limits: SHEET.map((t, k) => t + (k % 2 ? -RIM : RIM)),
@@ -117,38 +117,18 @@ export function show(place) {
   const touched = weights.filter((w) => w > 1e-9).length;
   const strongest = Math.max(...weights);
 
-  function draw() {
-    const surface = matrix.map((row) => mix(...row.flatMap((w, n) => (w ? [[w, cage[n]]] : []))));
-    paint(surface);
-    sheet.draw(edges.map(([i, j]) => sheet.line([cage[i], cage[j]].map(([x, y]) => [x, y]),
-                                                `wire ${i === held || j === held ? "held" : ""}`)));
+  /** The bluer a face, the more of the held vertex is in it. */
+  function colourOf(face) {
+    const share = (face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest)) ** 0.7;
+    return [[214, 0], [178, 114], [132, 230]].map(([brass, blue]) =>
+      brass + share * (blue - brass));
   }
 
-  /** Far faces first. Each in one shade, and the bluer the more of the held vertex is in it. */
-  function paint(surface) {
-    const ratio = Math.min(devicePixelRatio, 2);
-    canvas.width = ratio * sheet.box.clientWidth;
-    canvas.height = ratio * sheet.box.clientHeight;
-    const context = canvas.getContext("2d");
-    const ordered = small.map((face) => {
-      const corners = face.map((v) => surface[v]);
-      return { face, corners, depth: corners.reduce((sum, p) => sum + p[2], 0) };
-    }).sort((a, b) => a.depth - b.depth);
-    for (const { face, corners } of ordered) {
-      const n = normal(...corners);
-      const share = (face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest)) ** 0.7;
-      const dark = 0.25 + 0.35 * share; // the blue is seen where no light falls, too
-      const lit = dark + (1 - dark) * Math.max(0, n.reduce((sum, t, k) => sum + t * LIGHT[k], 0)
-        / Math.hypot(...n));
-      const shade = [[214, 0], [178, 114], [132, 230]].map(([brass, blue]) =>
-        lit * (brass + share * (blue - brass)));
-      context.fillStyle = context.strokeStyle = `rgb(${shade.map(Math.round).join(",")})`;
-      context.beginPath();
-      corners.forEach((p) => context.lineTo(...sheet.place(p).map((t) => ratio * t)));
-      context.closePath();
-      context.fill();
-      context.stroke();
-    }
+  function draw() {
+    paint(begun(), matrix.flatMap((row) =>
+      mix(...row.flatMap((w, n) => (w ? [[w, cage[n]]] : [])))), small, colourOf);
+    sheet.draw(edges.map(([i, j]) => sheet.line([cage[i], cage[j]].map(([x, y]) => [x, y]),
+                                                `wire ${i === held || j === held ? "held" : ""}`)));
   }
 
   place.append(html("div", { class: "pane" },

@@ -1,7 +1,6 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
-import { toSrgb } from "./msaa_samples.js";
 import { centreOf, clamp, eachFrame, html, number, player } from "./paper.js";
-import { coded, Picture, probeAll } from "./picture.js";
+import { coded, Picture, probeAll, toSrgb } from "./picture.js";
 
 const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
 const SIZE = 128, SQUARE = 16;           // the texture is SIZE x SIZE texels

@@ -1,7 +1,7 @@
 /** Lecture 04: many samples say which face is seen, and few shades give their colours. */
 import { isCovered } from "./edge_functions.js";
 import { button, centreOf, eachFrame, html, Sheet, svg } from "./paper.js";
-import { Picture, probeAll } from "./picture.js";
+import { Picture, probeAll, toSrgb } from "./picture.js";
 
 const WIDTH = 24, HEIGHT = 14;
 const STEPS = { 1: 1, 4: 3, 16: 4 };     // k of eq. (3) for S samples
@@ -55,12 +55,6 @@ export function resolve(shade, request, background) {
     return first.map((value, k) => value + sum[k] / request.length);
   });
 }
-
-const SRGB_JOIN = 0.0031306684425005758;
-
-/** Light -> the number that a screen takes, both 0 to 1. */
-export const toSrgb = (linear) =>
-  (linear <= SRGB_JOIN ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055);
 
 /** The light that a face sends from p. It changes evenly, and by little in a pixel. */
 const shadeAt = ([x, y], face) =>

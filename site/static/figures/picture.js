@@ -5,6 +5,12 @@ import { Sheet, html } from "./paper.js";
 export const coded = ([red, green, blue]) =>
   (255 << 24 | 255 * blue << 16 | 255 * green << 8 | 255 * red) >>> 0;
 
+const SRGB_JOIN = 0.0031306684425005758;
+
+/** Light -> the number that a screen takes, both 0 to 1. */
+export const toSrgb = (linear) =>
+  (linear <= SRGB_JOIN ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055);
+
 /** The pixel of several pictures of one size: chosen in one, it is chosen in all. -> set(point) */
 export function probeAll(pictures, at, moved) {
   const { width, height } = pictures[0].canvas;

@@ -1,8 +1,7 @@
 /** Lecture 07: a triangle is a rubber sheet. A vertex that moves drags it along under a pixel. */
 import { EDGES } from "./edge_functions.js";
-import { toSrgb } from "./msaa_samples.js";
 import { button, clamp, eachFrame, html, number } from "./paper.js";
-import { coded, Picture } from "./picture.js";
+import { coded, Picture, toSrgb } from "./picture.js";
 
 const WIDTH = 16, HEIGHT = 12;
 const START = [[2.5, 2.5], [13, 4], [5.5, 10.5]], CHOSEN = [6.5, 5.5];

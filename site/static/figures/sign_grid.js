@@ -1,5 +1,5 @@
 /** Lecture 15: a grid of signed distances, the outline between its signs, and its way back. */
-import { button, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { button, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
 
 const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
 const RADIUS = 0.75, TUBE = 0.32, BALL = 0.86;
@@ -121,19 +121,14 @@ export function show(place) {
     distance[n] = -distance[n];
     redraw();
   });
-  const play = player("Play", () => {
+  const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
     const gradient = distanceGradient(distance);
     distance = distance.map((s, n) => s - RATE * gradient[n]);
     draw();
     return true;
-  });
-  const reset = button("Reset", () => {
-    play.stop();
-    begin();
-    redraw();
-  });
+  }, begin, redraw);
 
   function begin() {
     [distance, step] = [POINTS.map((p) => Math.hypot(...p) - BALL), 0];
@@ -166,6 +161,6 @@ export function show(place) {
         html("b", { class: "red" }, "red"), " outline runs where the sign changes.")),
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("div", { class: "row" }, play.element, flip, reset))));
+      html("div", { class: "row" }, ...buttons, flip))));
   draw();
 }
