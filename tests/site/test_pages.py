@@ -14,6 +14,9 @@ ALIKE = "reference/", "given/", "labs/"
 LIKE = "reference/antialiasing.html", "given/mesh.html", "labs/08_antialiasing.html"  # as these
 WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anything is played
 
+# A table or a formula may be painted before its end has come, and moves then: by up to 0.004 on a
+# busy machine. What waits for a script or has no size moves by more. A page counts as poor at 0.1.
+MOST_MOVED = 0.01
 SHIFTS = """new Promise(done => {
   const moved = [];
   const watch = list => list.getEntries().forEach(entry => moved.push(
@@ -78,7 +81,8 @@ def test_a_page_opens_without_a_fault(page, site_page):
     formula, and on a phone every line of the page is cut.
     """
     opened, weight = site_page(page)
-    assert opened.evaluate(SHIFTS) == []
+    moved = opened.evaluate(SHIFTS)
+    assert sum(by for by, _ in moved) < MOST_MOVED, moved
     assert sum(weight.values()) < WEIGHT_LIMIT, weight
     if page in LIKE or not page.startswith(ALIKE):
         assert barriers(opened, rules={"color-contrast": {"enabled": False}}) == []

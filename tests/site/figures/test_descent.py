@@ -72,7 +72,8 @@ def test_play_finds_the_triangle(page, address):
     expect(page.locator(".sheet polygon.descent")).to_have_count(0)
     assert loss_of(page)[1] < 1e-4
     places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
-    np.testing.assert_allclose(places, [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]], atol=0.051)  # a handle moves in steps of 0.05
+    step = 0.05  # of a handle
+    np.testing.assert_allclose(places, [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]], atol=1.02 * step)
 
 
 def test_a_vertex_that_is_moved_begins_a_new_descent(page, address):
