@@ -31,13 +31,34 @@ def address():
 
 
 @pytest.fixture
-def page(browser):
-    """A new page. An error in its console, or a request that fails, fails the test."""
-    opened, said = browser.new_page(), []
-    opened.on("console", lambda message: message.type == "error" and said.append(message.text))
-    opened.on("pageerror", lambda error: said.append(str(error)))
-    opened.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))
-    yield opened
-    found = list(said)  # before the page is closed, which breaks off what it still loads
-    opened.close()
+def new_page(browser):
+    """new_page(**options): a new page in a context with these options.
+
+    An error in its console, or a request that fails, fails the test, but for a `missing` file's.
+    """
+    contexts, faults = [], []
+
+    def new(missing=None, **options):
+        def fault(text, url=""):
+            if not (missing and url.endswith(missing)):
+                faults.append(text)
+
+        contexts.append(browser.new_context(**options))
+        page = contexts[-1].new_page()
+        page.on("pageerror", lambda error: fault(str(error)))
+        page.on("requestfailed", lambda request: fault(f"failed: {request.url}", request.url))
+        page.on("console", lambda message: message.type == "error"
+                and fault(message.text, message.location["url"]))
+        return page
+
+    yield new
+    found = list(faults)  # before pages are closed, which breaks off what they still load
+    for context in contexts:
+        context.close()
     assert found == []
+
+
+@pytest.fixture
+def page(new_page):
+    """A new page."""
+    return new_page()

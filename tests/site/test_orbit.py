@@ -8,6 +8,7 @@ import urllib.parse
 import numpy as np
 import pytest
 import trimesh
+from hands import drag, middle, swipe
 from PIL import Image
 from serving import ROOT, served
 
@@ -65,13 +66,21 @@ def address(tmp_path_factory):
 
 
 @pytest.fixture
-def two(page, address):
+def turnable(page, address):
+    """turnable(name): open this page and ask for its first mesh -> the page, where it is drawn."""
+    def opened(name):
+        page.goto(f"{address}/{name}.html")
+        page.get_by_role("button", name="Turn it").click()
+        page.locator("canvas").wait_for()
+        page.wait_for_timeout(100)
+        return page
+    return opened
+
+
+@pytest.fixture
+def two(turnable):
     """The page with two meshes, of which the first can be turned."""
-    page.goto(f"{address}/two.html")
-    page.get_by_role("button", name="Turn it").click()
-    page.locator("canvas").wait_for()
-    page.wait_for_timeout(100)
-    return page
+    return turnable("two")
 
 
 def picture(page):
@@ -84,11 +93,6 @@ def picture(page):
 def changed(before, after):
     """The share of pixels that changed visibly."""
     return np.mean(np.abs(before - after).max(2) > 8)
-
-
-def middle(page):
-    box = page.locator(".stage").bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def test_three_is_loaded_only_when_asked_for(page, address):
@@ -124,31 +128,11 @@ def test_the_canvas_takes_the_stills_box(page, address):
     assert page.locator("canvas").evaluate("canvas => [canvas.width, canvas.height]") == [SIZE] * 2
 
 
-def test_colours_of_the_vertices_are_shown(two):
-    """A vertex's colour is lost, and all is brass: red and no blue."""
-    red, _, blue = np.moveaxis(picture(two), 2, 0)
-    assert np.mean(blue > red + 40) > 0.05
-
-
-def test_a_texture_is_shown(page, address):
-    """A texture is lost, or asked for at another address."""
-    page.goto(f"{address}/painted.html")
-    page.get_by_role("button", name="Turn it").click()
-    page.locator("canvas").wait_for()
-    red, _, blue = np.moveaxis(picture(page), 2, 0)
-    assert np.mean(blue > red + 40) > 0.1
-
-
-def test_the_mouse_turns_and_reset_turns_back(two):
-    """The reset's picture is another than the first one."""
-    first, (x, y) = picture(two), middle(two)
-    two.mouse.move(x, y)
-    two.mouse.down()
-    two.mouse.move(x + 60, y + 20, steps=4)
-    two.mouse.up()
-    assert changed(first, picture(two)) > 0.1
-    two.get_by_role("button", name="Reset view").click()
-    assert np.array_equal(first, picture(two))
+@pytest.mark.parametrize("name, least", [("two", 0.05), ("painted", 0.1)])
+def test_colours_and_textures_are_shown(turnable, name, least):
+    """A vertex's colour or a texture is lost, and all is brass: red and no blue."""
+    red, _, blue = np.moveaxis(picture(turnable(name)), 2, 0)
+    assert np.mean(blue > red + 40) > least
 
 
 @pytest.mark.parametrize("there, back", [("ArrowLeft", "ArrowRight"), ("ArrowUp", "ArrowDown"),
@@ -165,17 +149,16 @@ def test_keys_turn_and_zoom(two, there, back):
     assert two.evaluate("scrollY") == 0
 
 
-def test_an_arrow_moves_the_mesh_as_the_mouse_does(two):
-    """The right arrow turns it to the left."""
-    (x, y), step = middle(two), SIZE // 48
-    two.mouse.move(x, y)
-    two.mouse.down()
-    two.mouse.move(x + 4 * step, y)
-    two.mouse.up()
+def test_the_mouse_turns_reset_turns_back_and_an_arrow_turns_as_the_mouse(two):
+    """The reset's picture is another than the first one, or the right arrow turns to the left."""
+    first, step = picture(two), SIZE // 48
+    drag(two, two.locator(".stage"), 8 * step, 0)
     dragged = picture(two)
+    assert changed(first, dragged) > 0.1
     two.get_by_role("button", name="Reset view").click()
+    assert np.array_equal(first, picture(two))
     two.locator("canvas").focus()
-    for _ in range(4):
+    for _ in range(8):
         two.keyboard.press("ArrowRight")
     assert changed(dragged, picture(two)) < changed(dragged, picture(two)[:, ::-1]) / 2
 
@@ -183,7 +166,7 @@ def test_an_arrow_moves_the_mesh_as_the_mouse_does(two):
 def test_the_wheel_zooms_only_where_the_reader_works(two):
     """A reader who scrolls past is held at the canvas."""
     first = picture(two)
-    two.mouse.move(*middle(two))
+    two.mouse.move(*middle(two.locator(".stage")))
     two.mouse.wheel(0, 60)
     assert changed(first, picture(two)) > 0.02
     assert two.evaluate("scrollY") == 0
@@ -254,12 +237,9 @@ def test_the_picture_comes_back_when_the_system_took_its_memory(two):
     assert np.array_equal(first, picture(two))
 
 
-def test_an_eye_that_is_given_is_the_first_view(page, address):
+def test_an_eye_that_is_given_is_the_first_view(turnable):
     """The mesh jumps when it takes the still's place."""
-    page.goto(f"{address}/box.html")
-    page.get_by_role("button", name="Turn it").click()
-    page.locator("canvas").wait_for()
-    seen = np.ptp(picture(page), axis=2) > 20  # brass on grey
+    seen = np.ptp(picture(turnable("box")), axis=2) > 20  # brass on grey
     eye, scale = np.array([3.0, 4.0, 5.0]), SIZE / 2 / np.tan(np.radians(24))
     back = eye / np.linalg.norm(eye)
     right = np.cross([0, 1, 0], back)
@@ -273,45 +253,32 @@ def test_an_eye_that_is_given_is_the_first_view(page, address):
     assert np.allclose(found, [x.min(), x.max(), y.min(), y.max()], atol=1.5)
 
 
-def test_one_mesh_has_no_slider(page, address):
+def test_one_mesh_has_no_slider(turnable):
     """A slider that moves nothing."""
-    page.goto(f"{address}/box.html")
-    page.get_by_role("button", name="Turn it").click()
+    page = turnable("box")
     page.get_by_text("12 faces").wait_for()
     assert page.get_by_role("slider").count() == 0
 
 
-def test_a_finger_scrolls_before_and_turns_after(browser, address):
+def test_a_finger_scrolls_before_and_turns_after(new_page, address):
     """The figure holds a reader who scrolls past; or it scrolls away below the finger."""
-    context = browser.new_context(has_touch=True, viewport={"width": SIZE, "height": 500})
-    page = context.new_page()
+    page = new_page(has_touch=True, viewport={"width": SIZE, "height": 500})
     page.goto(f"{address}/two.html")
-    client = context.new_cdp_session(page)
-
-    def swipe(*fingers):
-        """Each finger goes from a point to a point."""
-        for kind, share in ("touchStart", 0), ("touchMove", 0.3), ("touchMove", 1):
-            points = [{"x": a + share * (c - a), "y": b + share * (d - b), "id": number}
-                      for number, ((a, b), (c, d)) in enumerate(fingers)]
-            client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-        client.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-
-    x, y = middle(page)
-    swipe(((x, y), (x, y - 90)))
+    x, y = middle(page.locator(".stage"))
+    swipe(page, ((x, y), (x, y - 90)))
     page.wait_for_function("scrollY > 0")
     page.goto("about:blank")  # the scrolling goes on for a while
     page.goto(f"{address}/two.html")
     page.get_by_role("button", name="Turn it").tap()
     page.locator("canvas").wait_for()
     first = picture(page)
-    swipe(((x, y), (x + 30, y - 60)))
+    swipe(page, ((x, y), (x + 30, y - 60)))
     turned = picture(page)
     assert changed(first, turned) > 0.1
-    swipe(((x - 20, y), (x - 60, y)), ((x + 20, y), (x + 60, y)))
+    swipe(page, ((x - 20, y), (x - 60, y)), ((x + 20, y), (x + 60, y)))
     larger = (np.ptp(picture(page), axis=2) > 30).mean()
     assert larger > 1.3 * (np.ptp(turned, axis=2) > 30).mean()
     assert page.evaluate("scrollY") == 0
-    context.close()
 
 
 def test_without_webgl_the_still_stays(page, address):
@@ -325,9 +292,9 @@ def test_without_webgl_the_still_stays(page, address):
 
 
 @pytest.mark.parametrize("missing", ["coarse.glb", "three.min.js"])
-def test_what_does_not_come_is_told_and_asked_for_again(browser, address, missing):
+def test_what_does_not_come_is_told_and_asked_for_again(new_page, address, missing):
     """The button says Loading for ever, or is gone, and the reader has to load the page anew."""
-    page = browser.new_page()
+    page = new_page(missing=missing)
     page.route(f"**/{missing}", lambda route: route.abort(), times=1)
     page.goto(f"{address}/two.html")
     page.get_by_role("button", name="Turn it").click()
@@ -336,13 +303,11 @@ def test_what_does_not_come_is_told_and_asked_for_again(browser, address, missin
     page.get_by_role("button", name="Turn it").click()
     page.locator("canvas").wait_for()
     assert not page.get_by_text("did not load").count()
-    page.close()
 
 
-def test_a_later_mesh_that_does_not_come_is_told(browser, address):
+def test_a_later_mesh_that_does_not_come_is_told(new_page, address):
     """The old mesh stands below the new one's name, and the next try fails as well."""
-    page, wrong = browser.new_page(), []
-    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page = new_page(missing="fine.glb")
     page.route("**/fine.glb", lambda route: route.abort(), times=1)
     page.goto(f"{address}/two.html")
     page.get_by_role("button", name="Turn it").click()
@@ -354,15 +319,11 @@ def test_a_later_mesh_that_does_not_come_is_told(browser, address):
     slider.press("End")
     page.get_by_text("1,280 faces", exact=True).wait_for()
     assert changed(coarse, picture(page)) > 0.1
-    assert wrong == []
-    page.close()
 
 
-def test_without_scripts_there_is_the_still_alone(browser, address):
+def test_without_scripts_there_is_the_still_alone(new_page, address):
     """A button that does nothing."""
-    context = browser.new_context(java_script_enabled=False)
-    page = context.new_page()
+    page = new_page(java_script_enabled=False)
     page.goto(f"{address}/two.html")
     assert page.locator("figure > *").count() == 1
     assert page.locator("img").is_visible()
-    context.close()

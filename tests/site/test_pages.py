@@ -4,26 +4,20 @@ import functools
 import urllib.parse
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from bs4 import BeautifulSoup
+from checks import barriers, moved
 from serving import PAGES, SITE
 
 SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/08_antialiasing",
        "reference/antialiasing", "benchmarks")
 ALIKE = "reference/", "given/", "labs/"
 LIKE = "reference/antialiasing.html", "given/mesh.html", "labs/08_antialiasing.html"  # as these
+PROSE = {"exclude": [["math"]]}
 WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anything is played
 
 # A table or a formula may be painted before its end has come, and moves then: by up to 0.004 on a
 # busy machine. What waits for a script or has no size moves by more. A page counts as poor at 0.1.
 MOST_MOVED = 0.01
-SHIFTS = """new Promise(done => {
-  const moved = [];
-  const watch = list => list.getEntries().forEach(entry => moved.push(
-    [entry.value, entry.sources.map(source => source.node?.outerHTML?.slice(0, 200))]));
-  new PerformanceObserver(watch).observe({type: "layout-shift", buffered: true});
-  setTimeout(() => done(moved), 300);
-})"""
 
 
 @functools.cache
@@ -76,27 +70,21 @@ def test_a_page_is_sound(page):
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_a_page_opens_without_a_fault(page, site_page):
+def test_a_page_opens_without_a_fault(page, site_page, address):
     """An error of a script, a missing file, another host, a barrier for somebody. Or one wide
     formula, and on a phone every line of the page is cut.
     """
     opened, weight = site_page(page)
-    moved = opened.evaluate(SHIFTS)
-    assert sum(by for by, _ in moved) < MOST_MOVED, moved
+    shifts = moved(opened)
+    assert sum(by for by, _ in shifts) < MOST_MOVED, shifts
     assert sum(weight.values()) < WEIGHT_LIMIT, weight
+    assert [url for url in weight if not url.startswith(address)] == []
     if page in LIKE or not page.startswith(ALIKE):
-        assert barriers(opened, rules={"color-contrast": {"enabled": False}}) == []
+        rules = {"color-contrast": {"enabled": False}}
+        assert barriers(opened, PROSE, rules=rules) == []
     for width in 1366, 375:
         opened.set_viewport_size({"width": width, "height": 900})
         assert opened.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
-
-
-def barriers(opened, **options):
-    """What axe finds. Its list of all that is well would take as long again."""
-    options["resultTypes"] = ["violations"]
-    found = Axe().run(opened, {"exclude": [["math"]]}, options).response["violations"]
-    return [(rule["id"], node["html"][:200], node.get("failureSummary", "")[:300])
-            for rule in found for node in rule["nodes"]]
 
 
 @pytest.mark.parametrize("page", SIX)
@@ -104,33 +92,16 @@ def barriers(opened, **options):
 def test_everything_can_be_read(page, theme, site_page):
     """Grey on black, or a comment's grey on the grey of code."""
     opened, _ = site_page(f"{page}.html", theme=theme)
-    assert barriers(opened, runOnly=["color-contrast"]) == []
+    assert barriers(opened, PROSE, runOnly=["color-contrast"]) == []
 
 
 @pytest.fixture
-def site_page(browser, address):
+def site_page(new_page, address):
     """-> a function that opens a page of the site: the page, and the bytes of what it loaded."""
-    contexts, said = [], []
-
-    def open_page(name, width=1280, theme="light"):
-        contexts.append(browser.new_context(viewport={"width": width, "height": 900},
-                                            color_scheme=theme))
-        opened, weight = contexts[-1].new_page(), {}
-
-        def weigh(response):
-            if not response.url.startswith(address):
-                said.append(f"another host: {response.url}")
-            weight[response.url] = len(response.body())
-
-        opened.on("response", weigh)
-        opened.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))
-        opened.on("pageerror", lambda error: said.append(str(error)))
-        opened.on("console", lambda message: message.type == "error" and said.append(message.text))
+    def open_page(name, theme="light"):
+        opened = new_page(viewport={"width": 1280, "height": 900}, color_scheme=theme)
+        weight = {}
+        opened.on("response", lambda loaded: weight.update({loaded.url: len(loaded.body())}))
         opened.goto(f"{address}/{name}", wait_until="networkidle")
         return opened, weight
-
-    yield open_page
-    found = list(said)  # before pages are closed, which breaks off what they still load
-    for context in contexts:
-        context.close()
-    assert found == []
+    return open_page

@@ -4,6 +4,8 @@ import shutil
 
 import numpy as np
 import pytest
+from checks import moved
+from hands import swipe
 from pages import comparisons, lectures
 from pages.posters import poster
 from PIL import Image
@@ -88,10 +90,9 @@ def test_the_slider_shows_a_frame_by_keys(page, place, key, frame):
     assert slider.get_attribute("aria-valuetext") == f"{frame + 1} of 3"
 
 
-def test_it_plays_by_a_finger_and_stops(browser, place):
+def test_it_plays_by_a_finger_and_stops(new_page, place):
     """It answers to a mouse alone; or it goes on after the pause."""
-    context = browser.new_context(has_touch=True, viewport={"width": 375, "height": 700})
-    page = context.new_page()
+    page = new_page(has_touch=True, viewport={"width": 375, "height": 700})
     page.goto(place(animation()))
     page.get_by_role("button", name="Play").tap()
     page.wait_for_function("document.querySelector('input').value == 1")
@@ -99,14 +100,12 @@ def test_it_plays_by_a_finger_and_stops(browser, place):
     shown = page.locator("input").input_value()
     page.wait_for_timeout(400)
     assert page.locator("input").input_value() == shown
-    context.close()
 
 
 @pytest.mark.parametrize(("motion", "plays"), [("no-preference", True), ("reduce", False)])
-def test_the_front_page_moves_unless_the_reader_asked_for_rest(browser, place, motion, plays):
+def test_the_front_page_moves_unless_the_reader_asked_for_rest(new_page, place, motion, plays):
     """Somebody who gets dizzy has said so, and it moves."""
-    context = browser.new_context(reduced_motion=motion)
-    page = context.new_page()
+    page = new_page(reduced_motion=motion)
     page.goto(place(animation("data-autoplay")))
     page.get_by_role("button", name="Pause" if plays else "Play").wait_for()
     if plays:
@@ -114,7 +113,6 @@ def test_the_front_page_moves_unless_the_reader_asked_for_rest(browser, place, m
     else:
         page.wait_for_timeout(300)
         assert page.locator("canvas").count() == 0
-    context.close()
 
 
 def test_a_browser_that_decodes_no_frames_shows_the_file(page, place):
@@ -188,10 +186,9 @@ def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
 
 
 @pytest.mark.parametrize("browsers", ["", "delete window.ImageDecoder"])
-def test_a_film_that_is_not_there_is_told_and_asked_for_again(browser, place, tmp_path, browsers):
+def test_a_film_that_is_not_there_is_told_and_asked_for_again(new_page, place, tmp_path, browsers):
     """The button says Pause for ever, and nothing moves; or it stops without a word."""
-    page, wrong = browser.new_page(), []
-    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page = new_page(missing="film.png")
     page.add_init_script(browsers)
     page.goto(place(animation()))
     (tmp_path / "film.png").rename(tmp_path / "away.png")
@@ -203,8 +200,6 @@ def test_a_film_that_is_not_there_is_told_and_asked_for_again(browser, place, tm
     page.get_by_role("button", name="Play").click()
     page.wait_for_selector("img[src='film.png']" if browsers else "canvas")
     assert not page.get_by_text("did not load").count()
-    assert wrong == []
-    page.close()
 
 
 @pytest.mark.parametrize(("name", "shapes"), [("Play", 1), ("Pause", 2)])
@@ -242,9 +237,9 @@ def test_the_line_between_two_pictures_moves_by_keys(page, place):
     slider.press("End")
     assert line(page) == 100
     assert slider.get_attribute("aria-valuetext") == "100 % dark"
-    assert middle(page) == 10
+    assert shade(page) == 10
     slider.press("Home")
-    assert middle(page) == 250
+    assert shade(page) == 250
 
 
 def test_the_line_is_dragged_anywhere_on_the_picture(page, place):
@@ -267,28 +262,19 @@ def test_the_line_is_dragged_anywhere_on_the_picture(page, place):
     assert line(page) == 0
 
 
-def test_a_finger_moves_the_line_sideways_and_the_page_up(browser, place):
+def test_a_finger_moves_the_line_sideways_and_the_page_up(new_page, place):
     """The picture holds a reader who scrolls past; or the line answers to a mouse alone."""
-    context = browser.new_context(has_touch=True, viewport={"width": 375, "height": 600})
-    page = context.new_page()
+    page = new_page(has_touch=True, viewport={"width": 375, "height": 600})
     page.goto(place(pair() + '<p style="height: 2000px">Text.</p>'))
     page.get_by_role("slider").wait_for()
-    client, box = context.new_cdp_session(page), page.locator(".pair").bounding_box()
+    box = page.locator(".pair").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 4
-
-    def swipe(right, down):
-        for kind, share in ("touchStart", 0), ("touchMove", 0.3), ("touchMove", 1):
-            point = {"x": x + share * right, "y": y + share * down}
-            client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [point]})
-        client.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-
-    swipe(-0.25 * box["width"], 5)
+    swipe(page, ((x, y), (box["x"] + box["width"] / 4, y + 5)))
     page.wait_for_function("document.querySelector('input').value < 50")
     assert line(page) == pytest.approx(25, abs=1)
     assert page.evaluate("scrollY") == 0
-    swipe(4, -60)
+    swipe(page, ((x, y), (x + 4, y - 60)))
     page.wait_for_function("scrollY > 0 && document.querySelector('input').value < 27")
-    context.close()
 
 
 def line(page):
@@ -297,7 +283,7 @@ def line(page):
     return float(page.evaluate(value).removesuffix("%"))
 
 
-def middle(page):
+def shade(page):
     """The shade in the middle of the pair, as it is seen."""
     shot = Image.open(io.BytesIO(page.locator(".pair").screenshot())).convert("L")
     return shot.getpixel((shot.width // 2, shot.height // 2))
@@ -305,29 +291,21 @@ def middle(page):
 
 @pytest.mark.parametrize("body", [animation(), pair()])
 @pytest.mark.parametrize("width", [375, 1280])
-def test_nothing_moves_when_a_player_starts(browser, place, body, width):
+def test_nothing_moves_when_a_player_starts(new_page, place, body, width):
     """The text below jumps when the buttons come."""
-    context = browser.new_context(viewport={"width": width, "height": 800})
-    page = context.new_page()
-    page.add_init_script("""window.shift = 0; new PerformanceObserver(list =>
-      list.getEntries().forEach(entry => { window.shift += entry.value; })
-    ).observe({type: "layout-shift", buffered: true})""")
+    page = new_page(viewport={"width": width, "height": 800})
     page.goto(place(f"{body}<p>Text below.</p>"), wait_until="networkidle")
     page.wait_for_selector("input")
-    page.wait_for_timeout(200)
-    assert page.evaluate("window.shift") == 0
-    context.close()
+    assert moved(page) == []
 
 
 @pytest.mark.parametrize(("body", "pictures"), [(animation(), 1), (pair(), 2)])
-def test_without_scripts_the_pictures_stand_there(browser, place, body, pictures):
+def test_without_scripts_the_pictures_stand_there(new_page, place, body, pictures):
     """A reader without scripts sees an empty box, or half of a pair."""
-    context = browser.new_context(java_script_enabled=False)
-    page = context.new_page()
+    page = new_page(java_script_enabled=False)
     page.goto(place(body))
     assert page.locator("img:visible").count() == pictures
     assert page.locator("input").count() == 0
-    context.close()
 
 
 def test_from_disk_both_pictures_of_a_pair_stand_there(browser, place, tmp_path):

@@ -2,6 +2,7 @@
 import json
 import shutil
 
+import numpy as np
 import pytest
 from pages import waves
 from reading import NAMES, SOURCE, opened
@@ -50,6 +51,16 @@ def call(page, address):
         inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy
         return page.evaluate("""async ([module, name, inputs]) => {
             const functions = await import(`/figures/${module}.js`);
-            return inputs.map((x) => functions[name](...x));
+            const results = inputs.map((x) => functions[name](...x));
+            return results.map((y) => ArrayBuffer.isView(y) ? [...y] : y);
         }""", [module, function, inputs])
     return called
+
+
+@pytest.fixture
+def agrees(call):
+    """agrees(module, function, inputs, wanted): the function's results are the reference's."""
+    def compare(module, function, inputs, wanted):
+        found = np.reshape(call(module, function, inputs), np.shape(wanted))
+        np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-9)
+    return compare

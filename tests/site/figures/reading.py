@@ -21,17 +21,16 @@ def settled(page):
     return page
 
 
-def number(text):
-    text = text.replace(MINUS, "-")
-    return float(text) if re.fullmatch(r"-?\d+(\.\d+)?", text) else text
+def numbers(text):
+    """The numbers in a text of the page."""
+    return [float(found) for found in re.findall(r"-?\d+(?:\.\d+)?", text.replace(MINUS, "-"))]
 
 
 def point_of(handle):
     """Where a handle says that it is."""
-    return [number(t) for t in re.findall(rf"{MINUS}?[\d.]+",
-                                          handle.get_attribute("aria-valuetext"))]
+    return numbers(handle.get_attribute("aria-valuetext"))
 
 
-def middle(locator):
-    box = locator.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+def verdict(page):
+    """What the figure answers to what was done."""
+    return settled(page).inner_text(".verdict")

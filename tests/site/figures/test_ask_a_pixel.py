@@ -1,8 +1,6 @@
 """A camera in the plane: what its pixels show, and what they pull, as the reference in space."""
-import re
-
 import numpy as np
-from reading import opened, settled
+from reading import opened, point_of, settled, verdict
 
 from reference import multi_view_fit, pipeline, reconstruction
 
@@ -125,25 +123,25 @@ def test_coverage_pulls_the_grid_down_the_loss(call):
 
 def covered(pixel):
     """What a pixel says of the target and of what is found, in percent."""
-    return [int(share) for share in re.findall(r"(\d+)\s%", pixel.get_attribute("aria-valuetext"))]
+    return point_of(pixel)[-2:]
 
 
 def test_each_pixel_says_by_what_it_pulls_and_play_opens_the_hole(page, address):
     """A pixel gives the reason of another one, or the skin stays."""
     opened(page, address, "ask_a_pixel")
     pixel = page.get_by_role("slider", name="Pixel")
-    said = page.locator(".verdict")
-    assert said.inner_text().startswith("Carving") and covered(pixel) == [0, 100]
+    assert verdict(page).startswith("Carving") and covered(pixel) == [0, 100]
     for key, reason in (("Home", "Coverage"), ("End", "Nothing"), ("ArrowLeft", "Coverage")):
         pixel.press(key)
-        assert settled(page).locator(".verdict").inner_text().startswith(reason)
+        assert verdict(page).startswith(reason)
     box = page.locator(".sheet").bounding_box()
     page.mouse.move(box["x"] + 0.2 * box["width"], box["y"] + 0.3 * box["height"])
-    assert settled(page).locator(".verdict").inner_text().startswith("Only colour")
+    assert verdict(page).startswith("Only colour")
     page.get_by_role("button", name="Play").click()
     page.get_by_text("The coverage is right").wait_for(timeout=120_000)
     pixel.press("Home")
     for _ in range(PIXELS):
-        target, found = covered(settled(page).get_by_role("slider", name="Pixel"))
+        settled(page)
+        target, found = covered(pixel)
         assert abs(target - found) <= 2
         pixel.press("ArrowRight")

@@ -1,9 +1,8 @@
 """The bunny's waves: the file that is made with the site, and the sums that the figure draws."""
-import re
-
 import numpy as np
+from hands import drag
 from pages import waves
-from reading import middle, opened, settled
+from reading import numbers, opened, settled, verdict
 
 from course.experiments.scenes.demo import Labs
 from course.given import mesh
@@ -50,24 +49,18 @@ def small_surface():
     return vertices, laplacian_of(faces, len(vertices))[1], found, shares
 
 
-def test_the_sums_and_what_is_left_are_those_of_numpy(call):
+def test_the_sums_and_what_is_left_are_those_of_numpy(call, agrees):
     """One wave too many is added, or the squares lack their masses."""
     vertices, mass, found, shares = small_surface()
     surface = {"count": len(vertices), "waves": found.T.ravel(), "shares": shares.ravel()}
     counts = range(1, len(vertices) + 1)
-    sums = page_lists(call("bunny_waves", "sumOfWaves", [(surface, k) for k in counts]))
     wanted = [found[:, :k] @ shares[:k] for k in counts]
-    np.testing.assert_allclose(sums.reshape(len(sums), -1, 3), wanted, atol=1e-9)
+    agrees("bunny_waves", "sumOfWaves", [(surface, k) for k in counts], wanted)
     np.testing.assert_allclose(wanted[-1], vertices, atol=1e-9)
     strengths, = call("bunny_waves", "strengths", [(surface,)])
-    left = call("bunny_waves", "distanceLeft", [(strengths, mass.sum(), k) for k in counts])
     squares = ((np.array(wanted) - vertices) ** 2).sum(-1)
-    np.testing.assert_allclose(left, np.sqrt(squares @ mass / mass.sum()), atol=1e-9)
-
-
-def page_lists(arrays):
-    """A browser's Float64Arrays: Playwright has them as {"0": ..., "1": ...}, or as lists."""
-    return np.array([list(a.values()) if isinstance(a, dict) else list(a) for a in arrays])
+    agrees("bunny_waves", "distanceLeft", [(strengths, mass.sum(), k) for k in counts],
+           np.sqrt(squares @ mass / mass.sum()))
 
 
 def test_more_waves_come_nearer_to_the_bunny(page, address):
@@ -76,12 +69,12 @@ def test_more_waves_come_nearer_to_the_bunny(page, address):
     page.get_by_text("19 of 352 waves").wait_for()
     handle = page.get_by_role("slider", name="Number of waves")
     handle.press("Home")
-    assert "a point" in settled(page).inner_text(".verdict") and clay(page) == 0
+    assert "a point" in verdict(page) and clay(page) == 0
     handle.press("Shift+ArrowRight")
     assert "2 of 352" in settled(page).inner_text(".told")
     far = []
     for _ in range(12):
-        far.append(float(re.search(r"([\d.]+) %", settled(page).inner_text(".told"))[1]))
+        far.append(numbers(settled(page).inner_text(".told"))[2])
         handle.press("Shift+ArrowRight")
     assert far == sorted(far, reverse=True) and far[0] > 20 and far[-1] == 0
     assert handle.get_attribute("aria-valuetext") == "352 waves" and clay(page) > 10_000
@@ -102,19 +95,14 @@ def test_play_adds_waves_and_a_drag_stops_it(page, address):
     page.get_by_text("19 of 352 waves").wait_for()
     page.get_by_role("button", name="Play").click()
     page.wait_for_function("parseInt(document.querySelector('.told b').innerText) > 25")
-    x, y = middle(page.get_by_role("slider", name="Number of waves"))
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x - 60, y, steps=3)
-    page.mouse.up()
+    drag(page, page.get_by_role("slider", name="Number of waves"), -60, 0)
     page.get_by_role("button", name="Play").wait_for()
-    assert int(re.search(r"(\d+) of 352", settled(page).inner_text(".told"))[1]) < 26
+    assert numbers(settled(page).inner_text(".told b"))[0] < 26
 
 
-def test_a_reader_is_told_that_the_bunny_cannot_be_had(browser, address):
+def test_a_reader_is_told_that_the_bunny_cannot_be_had(new_page, address):
     """The figure stays empty and says nothing."""
-    page = browser.new_page()
+    page = new_page(missing="bunny.bin")
     page.route("**/bunny.bin", lambda route: route.abort())
     opened(page, address, "bunny_waves")
     page.get_by_text("could not be loaded").wait_for()
-    page.close()

@@ -12,29 +12,28 @@ def in_space(quadric):
     return np.array([[xx, xy, 0, xd], [xy, yy, 0, yd], [0, 0, 0, 0], [xd, yd, 0, dd]])
 
 
-def test_quadrics_and_best_places_are_those_of_the_reference(call):
+def test_quadrics_and_best_places_are_those_of_the_reference(call, agrees):
     """The normal points along the line, or b has the other sign."""
     a, b, x = np.random.default_rng(12).normal(size=(3, 60, 2))
-    quadrics = call("collapse", "lineQuadric", list(zip(a, b, strict=True)))
+    quadrics = np.array(call("collapse", "lineQuadric", list(zip(a, b, strict=True))))
     step, length = b - a, np.linalg.norm(b - a, axis=1)
     n = np.stack([step[:, 1], -step[:, 0]], -1) / length[:, None]
     planes = np.column_stack([n, np.zeros(60), -(n * a).sum(1)])
     wanted = length[:, None, None] * simplification.plane_quadrics(planes)
     np.testing.assert_allclose([in_space(q) for q in quadrics], wanted, atol=1e-9)
-    sums = np.array(quadrics[:30]) + quadrics[30:]
+    sums = quadrics[:30] + quadrics[30:]
     matrices = np.array([in_space(q) for q in sums])
     flat = np.insert(x[:30], 2, 0, axis=1)
-    np.testing.assert_allclose(call("collapse", "quadricError", list(zip(sums, x, strict=False))),
-                               simplification.quadric_error(matrices, flat), atol=1e-9)
+    agrees("collapse", "quadricError", list(zip(sums, x, strict=False)),
+           simplification.quadric_error(matrices, flat))
     found = call("collapse", "bestAnywhere", [(q,) for q in sums])
     steep = [n for n, place in enumerate(found) if place]
     assert 20 < len(steep) < 30
     best = simplification.best_anywhere(matrices[steep] + np.diag([0, 0, 1, 0]))
     np.testing.assert_allclose([found[n] for n in steep], best[:, :2], atol=1e-9)
     ends = [np.insert(part[:30], 2, 0, axis=1) for part in (a, b)]
-    np.testing.assert_allclose(
-        call("collapse", "bestOnSegment", list(zip(sums, a, b, strict=False))),
-        simplification.best_on_segment(matrices, *ends)[0][:, :2], atol=1e-9)
+    agrees("collapse", "bestOnSegment", list(zip(sums, a, b, strict=False)),
+           simplification.best_on_segment(matrices, *ends)[0][:, :2])
 
 
 def test_points_on_straight_lines_go_first(call):
@@ -48,19 +47,14 @@ def test_points_on_straight_lines_go_first(call):
         assert abs(state["next"]["cost"]) < 1e-9
 
 
-def test_the_slider_takes_points_away(page, address):
-    """The outline is that of another number of points."""
-    opened(page, address, "collapse")
-    for count in 100, 20, 8:
-        page.get_by_role("slider").fill(str(count))
-        assert settled(page).locator(".sheet .sample.point").count() == count
-
-
-def test_play_at_the_end_begins_again(page, address):
-    """The button does nothing where no point can be taken away."""
+def test_the_slider_takes_points_away_and_play_at_the_end_begins_again(page, address):
+    """The outline is that of another number of points. The button does nothing where no point can
+    be taken away."""
     opened(page, address, "collapse")
     points = page.get_by_role("slider")
-    points.fill("8")
+    for count in 100, 20, 8:
+        points.fill(str(count))
+        assert settled(page).locator(".sheet .sample.point").count() == count
     page.get_by_role("button", name="Play").click()
     expect(points).not_to_have_value("8")
     assert int(points.input_value()) > 40

@@ -1,66 +1,25 @@
-"""The triangle that descends: the picture, its gradient, and the steps down."""
-import re
-
+"""The triangle that descends, and the landscape of its loss: the steps down."""
 import numpy as np
 from playwright.sync_api import expect
-from reading import opened, point_of, settled
+from reading import numbers, opened, point_of, settled
 
-from reference import inverse_rendering, outlines, rasterization
-
-WIDTH, HEIGHT = 24, 16
-FACES, OPPOSITE = np.array([[0, 1, 2]]), np.array([[-1, -1, -1]])
+from reference import inverse_rendering
 
 
-def triangles(count, seed):
-    """Counter-clockwise triangles that cover some pixels' centres."""
-    points = np.random.default_rng(seed).uniform(1, [WIDTH - 1, HEIGHT - 1], (count, 3, 2))
-    area = np.array([rasterization.signed_area(triangle) for triangle in points])
-    return [triangle if a > 0 else triangle[::-1]
-            for triangle, a in zip(points, area, strict=True) if abs(a) > 4]
-
-
-def drawn(triangle):
-    """The reference's picture of a triangle (vertices on screen), and what its way back needs."""
-    ndc = triangle / [WIDTH / 2, HEIGHT / 2] - 1
-    clip = np.column_stack([ndc, np.zeros(3), np.ones(3)])
-    face_index, depth = rasterization.rasterize_loop(clip, FACES, WIDTH, HEIGHT)
-    buffers = face_index, depth, clip, FACES, OPPOSITE
-    colour = (face_index >= 0)[..., None].astype(float)
-    return outlines.antialias(colour, *buffers), (colour, *buffers)
-
-
-def test_the_picture_and_its_gradient_are_those_of_the_reference(call):
-    """A pair of pixels above each other is turned, or an edge's gradient goes to the wrong end."""
-    cases = triangles(40, seed=9)
-    grad = np.random.default_rng(0).normal(size=(HEIGHT, WIDTH, 1))
-    found = call("blended", "render", [(triangle, WIDTH, HEIGHT) for triangle in cases])
-    back = call("blended", "renderBackward", [(grad.ravel(), one["pairs"]) for one in found])
-    for triangle, one, gradient in zip(cases, found, back, strict=True):
-        wanted, buffers = drawn(triangle)
-        np.testing.assert_allclose(one["picture"], wanted.ravel(), atol=1e-9)
-        grad_clip = outlines.antialias_backward(grad, *buffers)[1]
-        assert np.abs(grad_clip).max() > 0.1
-        wanted = grad_clip[:, :2] / [WIDTH / 2, HEIGHT / 2]
-        np.testing.assert_allclose(gradient, wanted, atol=1e-9)
-
-
-def test_the_loss_and_a_step_are_those_of_the_reference(call):
+def test_the_loss_and_a_step_are_those_of_the_reference(agrees):
     """The mean is over rows, or Adam's first steps are too short."""
     picture, target, x, grad, mean = np.random.default_rng(1).normal(size=(5, 6))
-    square = mean**2
-    assert np.isclose(call("blended", "squaredError", [(picture, target)])[0],
-                      inverse_rendering.squared_error(picture, target), atol=1e-9)
-    found, = call("blended", "squaredErrorBackward", [(picture, target)])
-    np.testing.assert_allclose(
-        found, inverse_rendering.squared_error_backward(1.0, picture, target), atol=1e-9)
-    found, = call("blended", "adamStep", [(x, grad, mean, square, 3, 0.25)])
-    np.testing.assert_allclose(
-        found, inverse_rendering.adam_step(x, grad, mean, square, 3, 0.25), atol=1e-9)
+    agrees("blended", "squaredError", [(picture, target)],
+           inverse_rendering.squared_error(picture, target))
+    agrees("blended", "squaredErrorBackward", [(picture, target)],
+           inverse_rendering.squared_error_backward(1.0, picture, target))
+    step = x, grad, mean, mean**2, 3, 0.25
+    agrees("blended", "adamStep", [step], inverse_rendering.adam_step(*step))
 
 
 def loss_of(page):
-    step, loss = re.search(r"Step (\d+): loss ([\d.]+)", settled(page).inner_text(".told")).groups()
-    return int(step), float(loss)
+    """The step and its loss."""
+    return numbers(settled(page).inner_text(".told"))[:2]
 
 
 def test_play_finds_the_triangle(page, address):
@@ -91,10 +50,10 @@ def test_the_landscape_has_the_blends_slopes_or_none(call):
     places = np.random.default_rng(4).uniform([1, 2], [11, 8], (60, 2))
     h = 1e-6 * np.eye(2)
     found = call("landscape", "lossAt", [(place, True) for place in places])
-    around = [call("landscape", "lossAt", [(place + step, True) for place in places])
-              for step in (h[0], -h[0], h[1], -h[1])]
-    right, left, above, below = (np.array([one["loss"] for one in row]) for row in around)
-    differences = np.stack([right - left, above - below], -1) / 2e-6
+    around = call("landscape", "lossAt", [(place + step, True) for place in places
+                                          for step in (h[0], h[1], -h[0], -h[1])])
+    losses = np.reshape([one["loss"] for one in around], (-1, 2, 2))
+    differences = (losses[:, 0] - losses[:, 1]) / 2e-6
     gradients = np.array([one["gradient"] for one in found])
     steady = np.abs(differences).max(1) < 1  # no pair of pixels begins or ends in between
     assert steady.sum() > 50 and np.abs(gradients).max() > 0.01

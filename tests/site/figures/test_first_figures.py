@@ -1,8 +1,7 @@
 """The figures of lectures 02 to 08: their functions, their numbers."""
-import re
-
 import numpy as np
-from reading import MINUS, middle, number, opened, point_of, settled
+from hands import middle
+from reading import numbers, opened, point_of, settled, verdict
 
 from reference import (
     antialiasing,
@@ -15,7 +14,7 @@ from reference import (
 
 # Functions
 
-def test_edge_functions_are_those_of_the_reference(call):
+def test_edge_functions_are_those_of_the_reference(agrees):
     """The edge is walked the other way round, a sample on an edge belongs to both triangles or to
     none, or the weights belong to other vertices."""
     rng = np.random.default_rng(2)
@@ -24,68 +23,57 @@ def test_edge_functions_are_those_of_the_reference(call):
     cases = [(p, triangle) for p, *triangle in points]
     wanted = [rasterization.edge_function(p, t[0], t[1]) for p, t in cases]
     assert sum(e == 0 for e in wanted) > 30, "these inputs have hardly any ties"
-    found = call("edge_functions", "edgeFunction", [(p, t[0], t[1]) for p, t in cases])
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
-    areas = [rasterization.signed_area(np.array(t)) for _, t in cases]
-    np.testing.assert_allclose(call("edge_functions", "signedArea", [(t,) for _, t in cases]),
-                               areas, rtol=0, atol=1e-9)
-    found = call("edge_functions", "isCovered", cases)
-    assert found == [bool(rasterization.is_covered(p, np.array(t))) for p, t in cases]
+    agrees("edge_functions", "edgeFunction", [(p, t[0], t[1]) for p, t in cases], wanted)
+    areas = rasterization.signed_area(points[:, 1:])
+    agrees("edge_functions", "signedArea", [(t,) for _, t in cases], areas)
+    agrees("edge_functions", "isCovered", cases,
+           [rasterization.is_covered(p, np.array(t)) for p, t in cases])
     solid = [case for case, area in zip(cases, areas, strict=True) if area != 0]
-    np.testing.assert_allclose(
-        call("edge_functions", "screenWeights", solid),
-        [rasterization.screen_weights(p, np.array(t)) for p, t in solid], atol=1e-9)
+    agrees("edge_functions", "screenWeights", solid,
+           [rasterization.screen_weights(p, np.array(t)) for p, t in solid])
 
 
-def test_left_and_lower_edges_are_top_left(call):
+def test_left_and_lower_edges_are_top_left(agrees):
     """A horizontal edge belongs to the wrong side."""
     normals = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
-    wanted = [bool(rasterization.is_top_left(*normal)) for normal in normals]
-    assert call("edge_functions", "isTopLeft", normals) == wanted
-    assert call("edge_functions", "isTopLeft", [(0, 1), (0, -1), (1, -5)]) == [True, False, True]
+    agrees("edge_functions", "isTopLeft", normals,
+           [rasterization.is_top_left(*normal) for normal in normals])
 
 
-def test_the_blend_and_its_gradient_are_those_of_the_reference(call):
+def test_the_blend_and_its_gradient_are_those_of_the_reference(agrees):
     """A sign of the gradient is turned, or at the kink the wrong pixel changes."""
     rng = np.random.default_rng(8)
     ends = rng.uniform(-1, 2, (200, 4))
     ends[:, 1], ends[:, 3] = rng.uniform(0.1, 1, 200), rng.uniform(-1, -0.1, 200)
     c = np.array([antialiasing.crossing(*end) for end in ends])
-    np.testing.assert_allclose(call("antialias", "crossing", ends), c, atol=1e-9)
-    np.testing.assert_allclose(
-        call("antialias", "crossingBackward", [(1.7, *end) for end in ends]),
-        [antialiasing.crossing_backward(np.array(1.7), *end) for end in ends], atol=1e-9)
+    agrees("antialias", "crossing", ends, c)
+    agrees("antialias", "crossingBackward", [(1.7, *end) for end in ends],
+           [antialiasing.crossing_backward(np.array(1.7), *end) for end in ends])
+    agrees("antialias", "isBlended", np.column_stack([c, ends]),
+           antialiasing.is_blended(c, np.full(200, True), *ends.T))
     c = np.concatenate([c, [0, 0.5, 1, -0.05, 1.05]])
     alpha = antialiasing.blend_weight(c)
-    np.testing.assert_allclose(call("antialias", "blendWeight", c[:, None]), alpha, atol=1e-9)
-    np.testing.assert_allclose(call("antialias", "blendWeightBackward", [(3.0, x) for x in c]),
-                               antialiasing.blend_weight_backward(np.full(len(c), 3.0), c))
-    true = np.full(200, True)
-    assert call("antialias", "isBlended", np.column_stack([c[:200], ends])) == list(
-        antialiasing.is_blended(c[:200], true, *ends.T))
+    agrees("antialias", "blendWeight", c[:, None], alpha)
+    agrees("antialias", "blendWeightBackward", [(3.0, x) for x in c],
+           antialiasing.blend_weight_backward(np.full(len(c), 3.0), c))
     pair, grad = np.array([[[0.3], [0.8]]]), np.array([[[5.0], [7.0]]])
-    numbers = np.array([0]), np.array([1])
-    np.testing.assert_allclose(
-        call("antialias", "blend", [(0.3, 0.8, a) for a in alpha]),
-        [antialiasing.blend(pair, *numbers, np.array([a])).ravel() for a in alpha], atol=1e-9)
-    wanted = [antialiasing.blend_backward(grad, pair, *numbers, np.array([a])) for a in alpha]
-    np.testing.assert_allclose(
-        call("antialias", "blendBackward", [([5, 7], 0.3, 0.8, a) for a in alpha]),
-        [[*colour.ravel(), *by_alpha] for colour, by_alpha in wanted], atol=1e-9)
+    two = np.array([0]), np.array([1])
+    agrees("antialias", "blend", [(0.3, 0.8, a) for a in alpha],
+           [antialiasing.blend(pair, *two, np.array([a])).ravel() for a in alpha])
+    wanted = [antialiasing.blend_backward(grad, pair, *two, np.array([a])) for a in alpha]
+    agrees("antialias", "blendBackward", [([5, 7], 0.3, 0.8, a) for a in alpha],
+           [[*colour.ravel(), *by_alpha] for colour, by_alpha in wanted])
 
 
-def test_the_weights_of_the_face_are_those_of_the_reference(call):
+def test_the_weights_of_the_face_are_those_of_the_reference(agrees):
     """The weights are multiplied by w, or not normalised."""
     rng = np.random.default_rng(5)
     e, w = rng.uniform(0.1, 1, (2, 200, 3))
     b = interpolation.barycentric_from_screen(e, w)
-    found = call("perspective", "barycentricFromScreen", list(zip(e, w, strict=True)))
-    np.testing.assert_allclose(found, b, atol=1e-9)
-    faces, seen, corners = np.array([[0, 1, 2]]), np.array([[0]]), rng.normal(size=(3, 2))
-    np.testing.assert_allclose(
-        call("perspective", "interpolate", [(weights, corners) for weights in b]),
-        [interpolation.interpolate_loop(corners, faces, seen, weights[None, None])[0, 0]
-         for weights in b], atol=1e-9)
+    agrees("perspective", "barycentricFromScreen", list(zip(e, w, strict=True)), b)
+    faces, seen, corners = np.array([[0, 1, 2]]), np.zeros((1, 200), int), rng.normal(size=(3, 2))
+    agrees("perspective", "interpolate", [(weights, corners) for weights in b],
+           interpolation.interpolate_loop(corners, faces, seen, b[None])[0])
 
 
 def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
@@ -100,34 +88,30 @@ def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
     assert max(np.abs(np.subtract(right, affine)).max() for _, right, affine in there) > 0.1
 
 
-def test_levels_are_those_of_the_reference(call):
+def test_levels_are_those_of_the_reference(call, agrees):
     """J is transposed or not in texels, or the fraction belongs to the lower level, or a mean is
     not of the footprint."""
     rng = np.random.default_rng(6)
     jacobian = rng.normal(size=(200, 2, 2)) * 2.0 ** rng.integers(-9, 2, (200, 1, 1))
     level = mipmapping.mip_level(jacobian, 64, 16)
-    np.testing.assert_allclose(call("mip_level", "mipLevel", [(j, 64, 16) for j in jacobian]),
-                               level, atol=1e-9)
+    agrees("mip_level", "mipLevel", [(j, 64, 16) for j in jacobian], level)
     level = np.concatenate([level, np.arange(8)])
-    np.testing.assert_allclose(call("mip_level", "blendLevels", [(x, 6) for x in level]),
-                               np.transpose(mipmapping.blend_levels(level, 6)), atol=1e-9)
-    image = rng.uniform(size=(8, 8))
-    levels, = call("mip_level", "pyramid", [(image,)])
-    for found, wanted in zip(levels, mipmapping.pyramid(image[..., None]), strict=True):
+    agrees("mip_level", "blendLevels", [(x, 6) for x in level],
+           np.transpose(mipmapping.blend_levels(level, 6)))
+    image = rng.uniform(size=(8, 8, 1))
+    levels, = call("mip_level", "pyramid", [(image[..., 0],)])
+    for found, wanted in zip(levels, mipmapping.pyramid(image), strict=True):
         np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
-    uv, image = rng.uniform(-2, 2, (100, 2)), image[..., None]
-    np.testing.assert_allclose(call("mip_level", "bilinear", [(levels[0], *x) for x in uv]),
-                               mipmapping.texture(image, uv)[:, 0], atol=1e-9)
+    uv = rng.uniform(-2, 2, (100, 2))
+    agrees("mip_level", "bilinear", [(levels[0], *x) for x in uv],
+           mipmapping.texture(image, uv)[:, 0])
     jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
     level = mipmapping.mip_level(jacobian, 8, 8)
-    wanted = mipmapping.texture(image, uv, jacobian, filter="linear-mipmap-linear")[:, 0]
-    found = call("mip_level", "trilinear", [(levels, *x, at) for x, at in
-                                            zip(uv, level, strict=True)])
-    np.testing.assert_allclose(found, wanted, atol=1e-9)
-    found = call("mip_level", "footprintMean", [(levels[0], x, j, 6) for x, j in zip(
-        uv, jacobian, strict=True)])
-    np.testing.assert_allclose(found, texturing.footprint_mean(image, uv, jacobian, 6)[:, 0],
-                               atol=1e-9)
+    agrees("mip_level", "trilinear", [(levels, *x, at) for x, at in zip(uv, level, strict=True)],
+           mipmapping.texture(image, uv, jacobian, filter="linear-mipmap-linear")[:, 0])
+    agrees("mip_level", "footprintMean",
+           [(levels[0], x, j, 6) for x, j in zip(uv, jacobian, strict=True)],
+           texturing.footprint_mean(image, uv, jacobian, 6)[:, 0])
 
 
 def test_the_floors_jacobian_is_its_derivative(call):
@@ -143,15 +127,15 @@ def test_the_floors_jacobian_is_its_derivative(call):
     np.testing.assert_allclose(jacobian, np.stack(columns, -1), rtol=1e-5, atol=1e-7)
 
 
-def test_aliases_are_those_of_the_reference(call):
+def test_aliases_are_those_of_the_reference(agrees):
     """A frequency of half the rate has the wrong sign, or the box is too wide."""
     frequency = np.concatenate([np.random.default_rng(3).uniform(-40, 40, 200),
                                 np.arange(-24, 25, 6)])
-    np.testing.assert_allclose(call("alias", "aliasFrequency", [(f, 12) for f in frequency]),
-                               sampling.alias_frequency(frequency, 12.0), atol=1e-9)
+    agrees("alias", "aliasFrequency", [(f, 12) for f in frequency],
+           sampling.alias_frequency(frequency, 12.0))
     for width, n in ((3, 4), (15, 180), (7, 20)):
-        found = call("alias", "boxFactor", [(k, width, n) for k in range(n)])
-        np.testing.assert_allclose(found, sampling.box_spectrum(width, n), atol=1e-9)
+        agrees("alias", "boxFactor", [(k, width, n) for k in range(n)],
+               sampling.box_spectrum(width, n))
 
 
 # What they show
@@ -169,7 +153,7 @@ def test_an_edge_that_moves_shows_the_references_gradient(page, address):
         is_blended = antialiasing.is_blended(c, np.array([True]), *ends[:, None])[0]
         wanted = -np.array(antialiasing.crossing_backward(grad_c * is_blended, *ends))
         found = ", ".join(settled(page).locator(".descent.label").all_text_contents())
-        np.testing.assert_allclose([number(t) for t in found.split(", ")], wanted, atol=5.1e-4)
+        np.testing.assert_allclose(numbers(found), wanted, atol=5.1e-4)
         said = page.inner_text(".verdict")
         is_clamped = is_blended and not 0 < c[0] < 1
         assert ("no gradient" in said) == (not wanted.any()) and ("clamped" in said) == is_clamped
@@ -180,7 +164,7 @@ def test_an_edge_that_moves_shows_the_references_gradient(page, address):
 def weights(page):
     """The weights at the corners in both pictures: of the screen and of the face."""
     texts = settled(page).locator(".sheet text").all_text_contents()
-    return np.reshape([number(text) for text in texts], (2, -1))
+    return np.reshape(numbers(" ".join(texts)), (2, -1))
 
 
 def test_the_pixel_in_perspective_shows_the_references_weights(page, address, call):
@@ -228,8 +212,7 @@ def test_the_floors_pixel_shows_the_references_level(page, address, call):
     for k, (x, y) in enumerate(pixels):
         page.mouse.click(box["x"] + x * box["width"] / 336,
                          box["y"] + (192 - y) * box["height"] / 192)
-        said = settled(page).inner_text(".verdict").replace(MINUS, "-")
-        length, shown, *mixed = map(float, re.findall(r"-?\d+(?:\.\d+)?", said))
+        length, shown, *mixed = numbers(verdict(page))
         wanted = [1 - f[k], lower[k], f[k], upper[k]] if f[k] else [lower[k]]
         np.testing.assert_allclose([shown, *mixed], [level[k], *wanted], atol=5.1e-3)
         assert abs(length - 2 ** level[k]) < 5.1e-3
@@ -276,7 +259,7 @@ def test_the_slider_shows_the_alias(page, address):
     """The alias is that of the wave before."""
     opened(page, address, "alias")
     page.get_by_role("slider", name="periods").fill("16.5")
-    assert "the samples show 4.5" in settled(page).inner_text(".verdict")
+    assert "the samples show 4.5" in verdict(page)
     assert "= 4.5." in page.inner_text(".pane")
     page.get_by_role("slider", name="periods").fill("5.5")
-    assert settled(page).inner_text(".verdict") == "5.5 periods, seen correctly."
+    assert verdict(page) == "5.5 periods, seen correctly."

@@ -2,7 +2,8 @@
 import re
 
 import numpy as np
-from reading import middle, opened, point_of, settled
+from hands import drag
+from reading import opened, point_of, verdict
 
 from course.given import ray_casting
 from reference import lights, shadow_mapping, transforms
@@ -41,41 +42,36 @@ def strips():
                                      np.stack([k, k + n + 1, k + n], 1)])
 
 
-def test_the_light_and_its_map_are_those_of_the_reference(call):
+def test_the_light_and_its_map_are_those_of_the_reference(call, agrees):
     """The axis is not in the middle of what is seen, or a texel holds the farthest depth."""
+    made_lights = [made(place) for place in PLACES]
     found = call("flatland_shadow", "pointLight", [(place, SCENE) for place in PLACES])
-    for ours, place in zip(found, PLACES, strict=True):
-        wanted = in_flatland(made(place))
-        for name, value in wanted.items():
+    for ours, light in zip(found, made_lights, strict=True):
+        for name, value in in_flatland(light).items():
             np.testing.assert_allclose(ours[name], value, atol=1e-9)
-    lights_there = [made(place) for place in PLACES]
-    found = call("flatland_shadow", "depthMap",
-                 [(SCENE, in_flatland(light), 25) for light in lights_there])
-    wanted = [shadow_mapping.depth_map(*strips(), light, 25)[12] for light in lights_there]
-    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    agrees("flatland_shadow", "depthMap",
+           [(SCENE, in_flatland(light), 25) for light in made_lights],
+           [shadow_mapping.depth_map(*strips(), light, 25)[12] for light in made_lights])
 
 
-def test_the_equations_are_those_of_the_reference(call):
+def test_the_equations_are_those_of_the_reference(call, agrees):
     """A sign of the rotation is turned, a place beside the map is read, or a line seen edge-on has
     no bound."""
     rng = np.random.default_rng(3)
     light, points = made([2, 3]), rng.uniform([0, -1], [12, 1], (200, 2))
     there, c00 = in_flatland(light), light.clip_from_light[0, 0]
     q = shadow_mapping.to_light(in_space(points), light.position, light.rotation)
-    found = call("flatland_shadow", "toLight",
-                 [(p, there["position"], there["rotation"]) for p in points])
-    np.testing.assert_allclose(found, q[:, ::2], atol=1e-9)
-    x = shadow_mapping.map_position(q, light.clip_from_light, 18, 18)[:, 0]
-    found = call("flatland_shadow", "mapPosition", [(p, c00, 18) for p in q[:, ::2]])
-    np.testing.assert_allclose(found, x, atol=1e-9)
+    agrees("flatland_shadow", "toLight",
+           [(p, there["position"], there["rotation"]) for p in points], q[:, ::2])
+    agrees("flatland_shadow", "mapPosition", [(p, c00, 18) for p in q[:, ::2]],
+           shadow_mapping.map_position(q, light.clip_from_light, 18, 18)[:, 0])
 
     row, x = rng.uniform(2, 6, 18), np.array([-0.1, 0, 0.9, 1, 17.99, 18, *rng.uniform(0, 18, 50)])
     distance, bias = rng.uniform(2, 6, len(x)), rng.uniform(0, 1, len(x))
     distance[2], bias[2] = row[0] + 0.5, 0.5
-    wanted = shadow_mapping.is_lit(row[None], np.stack([x, 0 * x], 1), distance, bias)
-    found = call("flatland_shadow", "isLit", [(row, *one) for one in zip(x, distance, bias,
-                                                                        strict=True)])
-    assert found == wanted.tolist()
+    agrees("flatland_shadow", "isLit",
+           [(row, *one) for one in zip(x, distance, bias, strict=True)],
+           shadow_mapping.is_lit(row[None], np.stack([x, 0 * x], 1), distance, bias))
 
     angle = rng.uniform(0, 2 * np.pi, 200)
     normal = np.stack([np.cos(angle), np.sin(angle)], 1)
@@ -85,9 +81,8 @@ def test_the_equations_are_those_of_the_reference(call):
                  [(n, p, c00, 18) for n, p in zip(normal, q[:, ::2], strict=True)])
     np.testing.assert_allclose(np.abs(found[:50]), np.abs(slope[:50, 0]), atol=1e-9)  # n . ray = 0
     np.testing.assert_allclose(found[50:], slope[50:, 0], atol=1e-9)
-    np.testing.assert_allclose(
-        call("flatland_shadow", "slopeScaledBias", [(s, 0.2, 1.5) for s in slope[:, 0]]),
-        shadow_mapping.slope_scaled_bias(slope, 0.2, 1.5, np.inf), atol=1e-9)
+    agrees("flatland_shadow", "slopeScaledBias", [(s, 0.2, 1.5) for s in slope[:, 0]],
+           shadow_mapping.slope_scaled_bias(slope, 0.2, 1.5, np.inf))
 
 
 def kinds(place, x, constant, factor):
@@ -118,8 +113,7 @@ def test_acne_and_leaks_are_where_the_reference_has_them(call):
 
 def told(page):
     """The two shares below the figure, in percent: acne, leak."""
-    sentence = settled(page).inner_text(".verdict")
-    return [float(share) for share in re.findall(r"([\d.]+)%", sentence)]
+    return [float(share) for share in re.findall(r"([\d.]+)%", verdict(page))]
 
 
 def shares(place, constant, factor):
@@ -151,11 +145,7 @@ def test_the_light_follows_the_mouse_and_the_shadow_the_light(page, address):
     page.get_by_role("slider", name="bias").fill("0")
     light = page.get_by_role("slider", name="Light")
     before = told(page)
-    x, y = middle(light)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 300, y + 30, steps=4)
-    page.mouse.up()
+    drag(page, light, 300, 30)
     light.press("ArrowRight")
     place = point_of(light)
     assert place[0] > 4 and place[1] < 4

@@ -1,9 +1,7 @@
 """The figure of lecture 10: four gradients of one outline."""
-import re
-
 import numpy as np
 import pytest
-from reading import opened, settled
+from reading import numbers, opened, point_of, settled
 
 from reference import (
     neural_renderer,
@@ -29,12 +27,8 @@ def triangles():
     return points[rasterization.signed_area(points) > 0.5]
 
 
-def clip_of(points):
-    return np.column_stack([points * 2 / [WIDTH, HEIGHT] - 1, np.zeros(3), np.ones(3)])
-
-
-def pictures(found):
-    return np.reshape(found, (-1, HEIGHT, WIDTH))
+def clip_of(points, size=(WIDTH, HEIGHT)):
+    return np.column_stack([2 * points / size - 1, np.zeros(3), np.ones(3)])
 
 
 def cases():
@@ -44,50 +38,42 @@ def cases():
     return points, seen, np.random.default_rng(3).normal(size=seen.shape)
 
 
-def test_the_exact_coverage_and_its_gradient_are_those_of_the_reference(call):
+def test_the_exact_coverage_and_its_gradient_are_those_of_the_reference(agrees):
     """A pixel is one to the left, or a piece on a border counts in no pixel."""
     points, _, grad = cases()
-    found = call("pixel_coverage", "pixelCoverage", [(p, WIDTH, HEIGHT) for p in points])
-    np.testing.assert_allclose(
-        pictures(found), [sampling.pixel_coverage(p, WIDTH, HEIGHT) for p in points], atol=1e-9)
-    found = call("pixel_coverage", "pixelCoverageBackward",
-                 [(g.ravel(), p, WIDTH) for g, p in zip(grad, points, strict=True)])
-    wanted = [sampling.pixel_coverage_backward(g, p)
-              for g, p in zip(grad, points, strict=True)]
-    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    agrees("pixel_coverage", "pixelCoverage", [(p, WIDTH, HEIGHT) for p in points],
+           [sampling.pixel_coverage(p, WIDTH, HEIGHT) for p in points])
+    both = list(zip(grad, points, strict=True))
+    agrees("pixel_coverage", "pixelCoverageBackward", [(g.ravel(), p, WIDTH) for g, p in both],
+           [sampling.pixel_coverage_backward(g, p) for g, p in both])
 
 
 @pytest.mark.parametrize("eps", [1e-4, 1e-2, 0.1])
-def test_the_sweep_is_that_of_the_reference(call, eps):
+def test_the_sweep_is_that_of_the_reference(agrees, eps):
     """The outside of an edge is taken for its inside, or columns for rows."""
-    points, seen, grad = cases()
-    found = call("outline_gradients", "sweepBackward",
-                 [(g.ravel(), (face + 1).ravel(), p, WIDTH, HEIGHT, eps)
-                  for g, face, p in zip(grad, seen, points, strict=True)])
-    wanted = [sweep_gradient.sweep_backward(
-        g[..., None], face[..., None] + 1.0, face,
-        neural_renderer.corners_of(clip_of(p), FACE), eps)[0, :, :2]
-        for g, face, p in zip(grad, seen, points, strict=True)]
-    np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-9)
+    each = list(zip(*cases(), strict=True))
+    agrees("outline_gradients", "sweepBackward",
+           [(g.ravel(), (face + 1).ravel(), p, WIDTH, HEIGHT, eps) for p, face, g in each],
+           [sweep_gradient.sweep_backward(g[..., None], face[..., None] + 1.0, face,
+                                          neural_renderer.corners_of(clip_of(p), FACE),
+                                          eps)[0, :, :2] for p, face, g in each])
 
 
 @pytest.mark.parametrize("sigma", [0.05, 0.5, 5.0])
-def test_the_soft_picture_is_that_of_the_reference(call, sigma):
+def test_the_soft_picture_is_that_of_the_reference(agrees, sigma):
     """The inside is as pale as the outside, or an end gets the other end's gradient."""
     points, _, grad = cases()
-    found = call("outline_gradients", "softSilhouette",
-                 [(p, WIDTH, HEIGHT, sigma) for p in points])
-    wanted = [soft_rasterizer.soft_silhouette(p[None], WIDTH, HEIGHT, sigma) for p in points]
-    np.testing.assert_allclose(pictures(found), wanted, atol=1e-9)
-    found = call("outline_gradients", "softSilhouetteBackward",
-                 [(g.ravel(), p, WIDTH, sigma) for g, p in zip(grad, points, strict=True)])
-    wanted = [soft_rasterizer.soft_silhouette_backward(g, p[None], sigma)[0]
-              for g, p in zip(grad, points, strict=True)]
-    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    agrees("outline_gradients", "softSilhouette", [(p, WIDTH, HEIGHT, sigma) for p in points],
+           [soft_rasterizer.soft_silhouette(p[None], WIDTH, HEIGHT, sigma) for p in points])
+    both = list(zip(grad, points, strict=True))
+    agrees("outline_gradients", "softSilhouetteBackward",
+           [(g.ravel(), p, WIDTH, sigma) for g, p in both],
+           [soft_rasterizer.soft_silhouette_backward(g, p[None], sigma)[0] for g, p in both])
 
 
 def test_the_blend_is_that_of_the_reference(call):
-    """An edge half-way between two centres has a gradient of the side that the reference drops."""
+    """A pair of pixels above each other is turned, an edge's gradient goes to the wrong end, or
+    one half-way between two centres has a gradient of the side that the reference drops."""
     points, _, grad = cases()
     found = call("blended", "render", [(p, WIDTH, HEIGHT) for p in points])
     back = call("blended", "renderBackward",
@@ -108,29 +94,28 @@ GOAL = START + [8, 0]
 
 def pulls_by_reference(points, eps, sigma):
     """How strongly truth, sweep, soft and blend pull towards the goal, in 24 x 14 pixels."""
-    width, height = 24, 14
+    size = width, height = 24, 14
     target = sampling.pixel_coverage(GOAL, width, height)
     way = GOAL.mean(0) - points.mean(0)
-    clip = np.column_stack([points * 2 / [width, height] - 1, np.zeros(3), np.ones(3)])
+    clip = clip_of(points, size)
     truth = sampling.pixel_coverage_backward(
         2 * (sampling.pixel_coverage(points, width, height) - target), points)
     seen, depth = scanline.rasterize(clip, FACE, width, height)
     hard = seen + 1.0
     corners = neural_renderer.corners_of(clip, FACE)
     sweep = sweep_gradient.sweep_backward((2 * (hard - target))[..., None], hard[..., None], seen,
-                                          corners, eps)[0, :, :2] * 2 / [width, height]
+                                          corners, eps)[0, :, :2] * 2 / size
     soft = soft_rasterizer.soft_silhouette(points[None], width, height, sigma)
     soft = soft_rasterizer.soft_silhouette_backward(2 * (soft - target), points[None], sigma)[0]
     edges = seen, depth, clip, FACE, OPPOSITE
     smooth = outlines.antialias(hard[..., None], *edges)
     blend = outlines.antialias_backward(2 * (smooth - target[..., None]), hard[..., None],
-                                        *edges)[1][:, :2] * 2 / [width, height]
+                                        *edges)[1][:, :2] * 2 / size
     return [-(g @ way).sum() / np.linalg.norm(way) for g in (truth, sweep, soft, blend)]
 
 
 def shown_pulls(page):
-    texts = settled(page).locator(".four b").all_inner_texts()
-    return [float(text.replace("\N{MINUS SIGN}", "-")) for text in texts]
+    return numbers(" ".join(settled(page).locator(".four b").all_inner_texts()))
 
 
 def test_the_triangle_shows_the_pulls_of_the_reference(page, address):
@@ -159,8 +144,7 @@ def test_the_triangle_stays_whole_in_the_picture(page, address):
     whole, vertex = (page.get_by_role("slider", name=name) for name in ("The triangle", "Vertex 2"))
     for _ in range(10):
         whole.press("Shift+ArrowDown")
-    assert vertex.get_attribute("aria-valuetext") == "x 9, y 8.75"
+    assert point_of(vertex) == [9, 8.75]
     for _ in range(12):
         vertex.press("Shift+ArrowDown")
-    x, y = (float(t) for t in re.findall(r"[\d.]+", vertex.get_attribute("aria-valuetext")))
-    assert rasterization.signed_area(np.array([[7, 0], [14, 2.25], [x, y]])) > 2
+    assert rasterization.signed_area(np.array([[7, 0], [14, 2.25], point_of(vertex)])) > 2

@@ -2,43 +2,40 @@
 import re
 
 import numpy as np
-from reading import middle, opened, point_of, settled
+from hands import drag
+from reading import opened, point_of, settled
 
 from reference import transforms
 
 POSTS = np.arange(1, 12) / 2
 
 
-def test_the_camera_is_that_of_the_reference(call):
+def test_the_camera_is_that_of_the_reference(call, agrees):
     """A sign of (6) is turned, the aspect is height over width, or w is not minus z."""
     rng = np.random.default_rng(1)
     angle, aspect = rng.uniform(0.01, 3, 100), rng.uniform(0.2, 5, 100)
     near = rng.uniform(0.01, 5, 100)
     far = near + rng.uniform(0.01, 100, 100)
-    found = call("frustum", "frustumSides", list(zip(angle, aspect, near, strict=True)))
     sides = np.array([transforms.frustum_sides(*one)
                       for one in zip(angle, aspect, near, strict=True)])
-    np.testing.assert_allclose(found, sides, rtol=1e-9)
+    agrees("frustum", "frustumSides", list(zip(angle, aspect, near, strict=True)), sides)
     beside = np.concatenate([sides + rng.uniform(-0.1, 0.1, sides.shape) * (sides[:, 1:2]),
                              near[:, None], far[:, None]], 1)
-    found = call("frustum", "frustum", beside)
-    wanted = np.array([transforms.frustum(*one) for one in beside])
-    np.testing.assert_allclose(found, wanted, rtol=1e-9)
+    matrices = [transforms.frustum(*one) for one in beside]
+    agrees("frustum", "frustum", beside, matrices)
     cameras = list(zip(angle, aspect, near, far, strict=True))
-    found = call("frustum", "perspective", cameras)
-    np.testing.assert_allclose(found, [transforms.perspective(*one) for one in cameras],
-                               rtol=1e-9, atol=1e-9)
+    agrees("frustum", "perspective", cameras, [transforms.perspective(*one) for one in cameras])
     points = np.concatenate([rng.normal(size=(100, 3)), np.ones((100, 1))], 1)
     points[:20, :2] = 0                                               # on the axis
     points[20:40, 2] = -near[20:40]                                   # on the near plane
-    clip = np.array([transforms.transform(*one) for one in zip(points, wanted, strict=True)])
-    found = call("frustum", "transform", list(zip(points, wanted, strict=True)))
-    np.testing.assert_allclose(found, clip, rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(call("frustum", "perspectiveDivide", [(one,) for one in clip]),
-                               transforms.perspective_divide(clip), rtol=1e-9, atol=1e-9)
+    seen = list(zip(points, matrices, strict=True))
+    clip = np.array([transforms.transform(*one) for one in seen])
+    agrees("frustum", "transform", seen, clip)
+    agrees("frustum", "perspectiveDivide", [(one,) for one in clip],
+           transforms.perspective_divide(clip))
     half = np.array(call("frustum", "halfway", list(zip(near, far, strict=True))))
     depth = [transforms.perspective_divide(transforms.transform(np.array([0, 0, -d, 1]), matrix))[2]
-             for d, matrix in zip(half, wanted, strict=True)]
+             for d, matrix in zip(half, matrices, strict=True)]
     np.testing.assert_allclose(depth, 0, atol=1e-9)
     assert (half < 2 * near).all()
 
@@ -72,11 +69,7 @@ def test_posts_at_equal_steps_are_where_the_reference_puts_them(page, address):
     """The square belongs to the camera before, or what is before the near plane is in it."""
     opened(page, address, "frustum")
     first = check(page)
-    x, y = middle(page.get_by_role("slider", name="Near plane"))
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 80, y - 40, steps=4)
-    page.mouse.up()
+    drag(page, page.get_by_role("slider", name="Near plane"), 80, -40)
     second = check(page)
     assert second[0] > first[0] + 1 and second[1] == first[1]
     page.get_by_role("slider", name="Field of view").press("Shift+ArrowDown")

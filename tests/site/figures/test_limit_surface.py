@@ -1,6 +1,7 @@
 """The cage and its limit surface: Loop's rule, and what a pull does."""
 import numpy as np
-from reading import middle, opened, point_of, settled
+from hands import drag
+from reading import opened, point_of, settled
 
 from course.given import mesh
 from reference import loop_subdivision
@@ -36,10 +37,6 @@ def test_the_surface_goes_along_with_the_vertex(page, address):
     opened(page, address, "limit_surface")
     before = page.locator("canvas").screenshot()
     vertex = page.get_by_role("slider")
-    x, y = middle(vertex)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 130, y - 20, steps=3)
-    page.mouse.up()
+    drag(page, vertex, 130, -20)
     assert point_of(vertex)[0] > 1
     assert settled(page).locator("canvas").screenshot() != before

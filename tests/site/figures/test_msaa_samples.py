@@ -33,33 +33,28 @@ def scenes():
 
 
 @pytest.mark.parametrize("count", [1, 4, 16])
-def test_samples_and_shades_are_those_of_the_reference(call, count):
+def test_samples_and_shades_are_those_of_the_reference(call, agrees, count):
     """A sample lies in another place of its pixel, sees the farther face, or is shaded twice."""
-    pattern, = call("msaa_samples", "standardPattern", [(count,)])
-    np.testing.assert_allclose(pattern, msaa.standard_pattern(count), atol=1e-12)
-    points, rng = scenes(), np.random.default_rng(count)
-    wanted = [seen_by(triangles, msaa.standard_pattern(count)) for triangles in points]
-    found = call("msaa_samples", "rasterizeSamples",
-                 [(triangles, WIDTH, HEIGHT, pattern) for triangles in points])
-    np.testing.assert_array_equal(np.reshape(found, np.shape(wanted)), wanted)
-    for faces, asked in zip(wanted, call("msaa_samples", "shadingRequests",
-                                         [(faces.reshape(count, -1),) for faces in wanted]),
-                            strict=True):
+    pattern, rng = msaa.standard_pattern(count), np.random.default_rng(count)
+    agrees("msaa_samples", "standardPattern", [(count,)], pattern)
+    seen = [seen_by(triangles, pattern) for triangles in scenes()]
+    agrees("msaa_samples", "rasterizeSamples",
+           [(triangles, WIDTH, HEIGHT, pattern) for triangles in scenes()], seen)
+    found = call("msaa_samples", "shadingRequests", [(faces.reshape(count, -1),) for faces in seen])
+    shaded = []
+    for faces, asked in zip(seen, found, strict=True):
         pixel, face, request = msaa.shading_requests_loop(faces)
         assert (asked["pixel"], asked["face"]) == (pixel.tolist(), face.tolist())
-        shade = rng.uniform(size=(len(pixel), 3))
-        assert len(pixel) == msaa.cost(faces, 8)[1]
-        picture, = call("msaa_samples", "resolve",
-                        [(shade, request.reshape(count, -1), BACKGROUND)])
-        np.testing.assert_allclose(np.reshape(picture, (HEIGHT, WIDTH, 3)),
-                                   msaa.resolve(shade, request, BACKGROUND), atol=1e-9)
+        shaded.append((rng.uniform(size=(len(pixel), 3)), request, BACKGROUND))
+    agrees("msaa_samples", "resolve",
+           [(shade, request.reshape(count, -1), behind) for shade, request, behind in shaded],
+           [msaa.resolve(*each) for each in shaded])
 
 
-def test_light_is_encoded_as_in_the_course(call):
+def test_light_is_encoded_as_in_the_course(agrees):
     """The greys of an edge are too dark."""
     light = np.concatenate([np.linspace(0, 1, 50), [0.0031306, 0.0031307]])
-    np.testing.assert_allclose(call("picture", "toSrgb", light[:, None]),
-                               image.to_srgb(light), atol=1e-9)
+    agrees("picture", "toSrgb", light[:, None], image.to_srgb(light))
 
 
 def prices(page):
@@ -85,11 +80,12 @@ def test_sixteen_times_the_samples_take_few_more_shades(page, address):
 def test_the_pixel_tells_what_its_samples_see(page, address):
     """The samples are those of the pixel above, or of the face behind."""
     opened(page, address, "msaa_samples")
-    about = page.locator(".about")
-    assert settled(page) and "2 see blue, 1 sees orange, 1 sees no face: 2 shades" in (
-        about.inner_text())
+    assert "2 see blue, 1 sees orange, 1 sees no face: 2 shades" in about(page)
     page.get_by_role("button", name="16").click()
-    assert settled(page) and "3 see blue, 3 see orange, 10 see no face: 2 shades" in (
-        about.inner_text())
+    assert "3 see blue, 3 see orange, 10 see no face: 2 shades" in about(page)
     page.locator(".probe").press("ArrowUp")
-    assert settled(page) and about.inner_text().startswith("16 see orange: 1 shade,")
+    assert about(page).startswith("16 see orange: 1 shade,")
+
+
+def about(page):
+    return settled(page).inner_text(".about")

@@ -1,7 +1,8 @@
 """A sheet's points are moved and its pixels chosen: by mouse, keys and fingers."""
 import numpy as np
 import pytest
-from reading import middle, number, opened, point_of, settled
+from hands import drag, middle, swipe
+from reading import numbers, opened, point_of, settled, verdict
 
 from reference import rasterization
 
@@ -12,16 +13,16 @@ def check_edges(page, p):
     triangle, p = np.array(places), np.array(p)
     e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
     labels = settled(page).locator(".label").all_text_contents()
-    found = [number(label.split(" = ")[1]) for label in labels]
+    found = [numbers(label)[-1] for label in labels]
     np.testing.assert_allclose(found, e, atol=0.051)  # one decimal is shown
-    weights = [number(text) for text in page.locator(".weight").all_text_contents()]
+    weights = numbers(" ".join(page.locator(".weight").all_text_contents()))
     np.testing.assert_allclose(weights, np.array(e) / sum(e), atol=5.1e-4)
     owns = [bool(rasterization.is_top_left(triangle[i][1] - triangle[j][1],
                                            triangle[j][0] - triangle[i][0]))
             for i, j in rasterization.EDGES]
     edges = page.locator(".outline.first").all()
     assert ["thick" in edge.get_attribute("class") for edge in edges] == owns
-    said = page.inner_text(".verdict")
+    said = verdict(page)
     assert said.startswith(f"Pixel [{int(p[1])}, {int(p[0])}] is ")
     assert ("is covered" in said) == rasterization.is_covered(p, triangle)
     return places
@@ -39,16 +40,10 @@ def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
     opened(page, address, "edge_functions")
     sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
     check_edges(page, [7.5, 3.5])
-    off = 9                                        # pressed beside its middle
-    page.mouse.move(middle(vertex)[0] + off, middle(vertex)[1])
-    page.mouse.down()
-    target = at(sheet, 2.3, 4.2)
-    page.mouse.move(target[0] + off, target[1], steps=4)
-    page.mouse.up()
+    drag(page, vertex, *np.subtract(at(sheet, 2.3, 4.2), middle(vertex)), beside=9)
     assert point_of(vertex) == [2.25, 4.25]
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowLeft")
-    page.keyboard.press("ArrowDown")
+    for key in ("ArrowRight", "ArrowLeft", "ArrowDown"):
+        page.keyboard.press(key)
     assert point_of(vertex) == [2.25, 4]
     page.mouse.move(*at(sheet, 6.4, 3.7))
     check_edges(page, [6.5, 3.5])
@@ -75,30 +70,11 @@ def test_a_vertex_follows_the_arrow_keys(page, address):
     check_edges(page, [7.5, 2.5])
 
 
-class Finger:
-    """One finger on a phone. It goes through all that Chromium does to touches."""
-
-    def __init__(self, page):
-        self.touch = page.context.new_cdp_session(page)
-
-    def _send(self, kind, *point):
-        points = [{"x": point[0], "y": point[1]}] if point else []
-        self.touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    def swipe(self, start, end, steps=6):
-        self._send("touchStart", *start)
-        for t in np.linspace(0, 1, steps + 1)[1:]:
-            self._send("touchMove", *(np.array(start) * (1 - t) + np.array(end) * t))
-        self._send("touchEnd")
-
-
 @pytest.fixture
-def phone(browser, address):
+def phone(new_page, address):
     """The figure of lecture 02 on a phone."""
-    context = browser.new_context(has_touch=True, is_mobile=True,
-                                  viewport={"width": 375, "height": 500})
-    yield opened(context.new_page(), address, "edge_functions")
-    context.close()
+    page = new_page(has_touch=True, is_mobile=True, viewport={"width": 375, "height": 500})
+    return opened(page, address, "edge_functions")
 
 
 def test_a_tap_on_the_middle_of_a_pixel_chooses_this_pixel(phone):
@@ -120,15 +96,14 @@ def test_a_tap_on_the_middle_of_a_pixel_chooses_this_pixel(phone):
     assert [point_of(handle) for handle in handles] == vertices
 
 
-@pytest.mark.parametrize("beside", [0, 18])
-def test_a_finger_near_a_vertex_moves_it(phone, beside):
+def test_a_finger_near_a_vertex_moves_it(phone):
     """The page scrolls away under the finger, or a vertex is too small for a finger."""
     sheet, vertex = phone.locator(".sheet"), phone.locator(".handle:text-is('0')")
-    x, y = middle(vertex)
-    to = at(sheet, 3, 5.5)
-    Finger(phone).swipe((x + beside, y), (to[0] + beside, to[1]))
-    assert point_of(vertex) == [3, 5.5]
-    assert phone.evaluate("scrollY") == 0
+    for place, beside in ([3, 5.5], 0), ([2, 6], 18):
+        (x, y), (right, down) = middle(vertex), at(sheet, *place)
+        swipe(phone, ((x + beside, y), (right + beside, down)))
+        assert point_of(vertex) == place
+        assert phone.evaluate("scrollY") == 0
 
 
 def test_a_swipe_elsewhere_scrolls_the_page(phone):
@@ -136,7 +111,7 @@ def test_a_swipe_elsewhere_scrolls_the_page(phone):
     sheet, probe = phone.locator(".sheet"), phone.locator(".probe")
     chosen = point_of(probe)
     x, y = at(sheet, 9.5, 1.5)
-    Finger(phone).swipe((x, y), (x, y - 150), steps=20)
+    swipe(phone, ((x, y), (x, y - 150)))
     phone.wait_for_function("scrollY > 50")
     assert point_of(probe) == chosen
 
@@ -146,11 +121,7 @@ def test_only_the_main_button_drags(page, address):
     opened(page, address, "edge_functions")
     vertex = page.locator(".handle:not(.probe)").first
     before = point_of(vertex)
-    x, y = middle(vertex)
-    page.mouse.move(x, y)
-    page.mouse.down(button="right")
-    page.mouse.move(x + 60, y - 40, steps=4)
-    page.mouse.up(button="right")
+    drag(page, vertex, 60, -40, button="right")
     assert point_of(vertex) == before
 
 

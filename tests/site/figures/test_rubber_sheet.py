@@ -2,14 +2,15 @@
 import re
 
 import numpy as np
-from reading import MINUS, middle, opened, settled
+from hands import middle
+from reading import MINUS, opened, settled, verdict
 
 from reference import rasterization, rasterizer_gradients, vertex_gradients
 
 VALUES, PIXEL = np.array([0.9, 0.1, 0.4]), np.array([[6.5, 5.5]])
 
 
-def test_the_edge_functions_are_those_of_the_reference(call):
+def test_the_edge_functions_are_those_of_the_reference(agrees):
     """Two vertices are exchanged, or a triangle without area has no edges."""
     rng = np.random.default_rng(7)
     triangles = rng.uniform(0, 16, (60, 3, 2))
@@ -17,12 +18,10 @@ def test_the_edge_functions_are_those_of_the_reference(call):
     triangles[1] = triangles[1, :1]
     points = rng.uniform(0, 16, (60, 2))
     matrices = np.stack([vertex_gradients.vertex_matrix(each) for each in triangles], -1)
-    np.testing.assert_allclose(call("rubber_sheet", "edgeNormals", [(t,) for t in triangles]),
-                               np.moveaxis(rasterizer_gradients.edge_normals(matrices), -1, 0),
-                               atol=1e-9)
-    found = call("rubber_sheet", "edgeFunctionsAt", list(zip(points, triangles, strict=True)))
-    wanted = rasterization.edge_functions_at(*points.T, *triangles.T)
-    np.testing.assert_allclose(found, wanted.T, atol=1e-9)
+    agrees("rubber_sheet", "edgeNormals", [(t,) for t in triangles],
+           np.moveaxis(rasterizer_gradients.edge_normals(matrices), -1, 0))
+    agrees("rubber_sheet", "edgeFunctionsAt", list(zip(points, triangles, strict=True)),
+           rasterization.edge_functions_at(*points.T, *triangles.T).T)
 
 
 def test_the_derivatives_are_those_of_the_reference(call):
@@ -71,5 +70,5 @@ def test_the_chosen_pixel_stays_until_another_is_chosen(page, address):
     probe = page.get_by_role("slider", name="Pixel")
     probe.press("Shift+ArrowUp")
     probe.press("Shift+ArrowLeft")
-    assert "does not see" in settled(page).inner_text(".verdict")
+    assert "does not see" in verdict(page)
     assert page.locator(".sheet polygon.pull").count() == 0
