@@ -5,10 +5,18 @@ import http.server
 import threading
 from pathlib import Path
 
+from bs4 import BeautifulSoup
+
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "out" / "site"
 PAGES = sorted(path.relative_to(SITE).as_posix() for path in SITE.rglob("*.html")
                if "lite" not in path.relative_to(SITE).parts)
+
+
+@functools.cache
+def soup(page):
+    """A page of the site, taken apart."""
+    return BeautifulSoup((SITE / page).read_text("utf-8"), "html.parser")
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):

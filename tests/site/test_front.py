@@ -6,15 +6,10 @@ import sys
 import zipfile
 
 import pytest
-from bs4 import BeautifulSoup
 from pages import front
-from serving import PAGES, ROOT, SITE
+from serving import PAGES, ROOT, SITE, soup
 
 ADDRESS = "https://somebody.github.io/course"
-
-
-def soup(path):
-    return BeautifulSoup(path.read_text("utf-8"), "html.parser")
 
 
 def meta(page, name):
@@ -25,7 +20,7 @@ def meta(page, name):
 
 @pytest.fixture(scope="module")
 def index():
-    return soup(SITE / "index.html")
+    return soup("index.html")
 
 
 @pytest.fixture(scope="module")

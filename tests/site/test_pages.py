@@ -4,9 +4,8 @@ import functools
 import urllib.parse
 
 import pytest
-from bs4 import BeautifulSoup
 from checks import barriers, moved
-from serving import PAGES, SITE
+from serving import PAGES, SITE, soup
 
 SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/08_antialiasing",
        "reference/antialiasing", "benchmarks")
@@ -18,11 +17,6 @@ WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anyth
 # A table or a formula may be painted before its end has come, and moves then: by up to 0.004 on a
 # busy machine. What waits for a script or has no size moves by more. A page counts as poor at 0.1.
 MOST_MOVED = 0.01
-
-
-@functools.cache
-def soup(page):
-    return BeautifulSoup((SITE / page).read_text(encoding="utf-8"), "html.parser")
 
 
 @functools.cache

@@ -56,13 +56,15 @@ def test_what_a_reader_looks_for_is_among_the_first_three(page, address):
     assert wrong == {}
 
 
-def test_a_search_loads_less_than_half_a_megabyte(page, address):
-    """It fetches whole pages to quote a line of each, or an index that it does not need."""
+def test_a_search_loads_less_than_half_a_megabyte_and_shows_a_lab_once(page, address):
+    """It fetches whole pages to quote a line of each, or an index that it does not need. The page
+    of the lab and its part of the list of labs say the same words."""
     weight = {}
     page.on("requestfinished", lambda request: weight.update(
         {request.url: request.sizes()["responseBodySize"]}))
     page.goto(f"{address}/search.html?q=lab+8", wait_until="networkidle")
-    found(page, "lab 8")
+    links, _ = found(page, "lab 8")
+    assert not [link for link in links if "/labs/index.html#" in link]
     assert f"{address}/search_records.js" in weight
     assert sum(weight.values()) < WEIGHT_LIMIT, weight
 
@@ -89,13 +91,6 @@ def test_a_row_marks_whole_words_in_its_title_and_has_no_shapes(page, address):
     words = page.text_content("#found p")
     assert "Equation (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c." in words
     assert "..." not in words and "c. (3)" not in words
-
-
-def test_a_lab_has_one_row(page, address):
-    """The page of the lab and its part of the list of labs say the same words."""
-    page.goto(f"{address}/search.html?q=lab+8")
-    links, _ = found(page, "lab 8")
-    assert not [link for link in links if "/labs/index.html#" in link]
 
 
 def test_the_search_finds_from_disk_too(browser):

@@ -33,13 +33,6 @@ def test_edge_functions_are_those_of_the_reference(agrees):
            [rasterization.screen_weights(p, np.array(t)) for p, t in solid])
 
 
-def test_left_and_lower_edges_are_top_left(agrees):
-    """A horizontal edge belongs to the wrong side."""
-    normals = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
-    agrees("edge_functions", "isTopLeft", normals,
-           [rasterization.is_top_left(*normal) for normal in normals])
-
-
 def test_the_blend_and_its_gradient_are_those_of_the_reference(agrees):
     """A sign of the gradient is turned, or at the kink the wrong pixel changes."""
     rng = np.random.default_rng(8)

@@ -65,27 +65,22 @@ def prices(page):
             for what in ("shades by MSAA", "by supersampling", "samples tested")]
 
 
+def about(page):
+    return settled(page).inner_text(".about")
+
+
 def test_sixteen_times_the_samples_take_few_more_shades(page, address):
-    """The price is that of the number of samples before, or counts samples without a face."""
+    """The price is that of the number of samples before, or counts samples without a face; or the
+    pixel tells of the samples of the pixel above, or of the face behind."""
     opened(page, address, "msaa_samples")
     assert prices(page) == [150, 473, 1344]
+    assert "2 see blue, 1 sees orange, 1 sees no face: 2 shades" in about(page)
     page.get_by_role("button", name="16").click()
     assert prices(page) == [166, 1890, 5376]
+    assert "3 see blue, 3 see orange, 10 see no face: 2 shades" in about(page)
+    page.locator(".probe").press("ArrowUp")
+    assert about(page).startswith("16 see orange: 1 shade,")
     page.get_by_role("button", name="1", exact=True).click()
     assert prices(page) == [119, 119, 336]
     page.get_by_role("slider", name="The near triangle's vertex 2").press("ArrowDown")
     assert prices(page) != [119, 119, 336]
-
-
-def test_the_pixel_tells_what_its_samples_see(page, address):
-    """The samples are those of the pixel above, or of the face behind."""
-    opened(page, address, "msaa_samples")
-    assert "2 see blue, 1 sees orange, 1 sees no face: 2 shades" in about(page)
-    page.get_by_role("button", name="16").click()
-    assert "3 see blue, 3 see orange, 10 see no face: 2 shades" in about(page)
-    page.locator(".probe").press("ArrowUp")
-    assert about(page).startswith("16 see orange: 1 shade,")
-
-
-def about(page):
-    return settled(page).inner_text(".about")

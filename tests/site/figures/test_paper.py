@@ -96,19 +96,16 @@ def test_a_tap_on_the_middle_of_a_pixel_chooses_this_pixel(phone):
     assert [point_of(handle) for handle in handles] == vertices
 
 
-def test_a_finger_near_a_vertex_moves_it(phone):
-    """The page scrolls away under the finger, or a vertex is too small for a finger."""
+def test_a_finger_moves_a_vertex_that_is_near_and_elsewhere_the_page(phone):
+    """The page scrolls away under the finger, or a vertex is too small for a finger; or a figure as
+    wide as the phone holds the reader."""
     sheet, vertex = phone.locator(".sheet"), phone.locator(".handle:text-is('0')")
     for place, beside in ([3, 5.5], 0), ([2, 6], 18):
         (x, y), (right, down) = middle(vertex), at(sheet, *place)
         swipe(phone, ((x + beside, y), (right + beside, down)))
         assert point_of(vertex) == place
         assert phone.evaluate("scrollY") == 0
-
-
-def test_a_swipe_elsewhere_scrolls_the_page(phone):
-    """A figure as wide as the phone holds the reader."""
-    sheet, probe = phone.locator(".sheet"), phone.locator(".probe")
+    probe = phone.locator(".probe")
     chosen = point_of(probe)
     x, y = at(sheet, 9.5, 1.5)
     swipe(phone, ((x, y), (x, y - 150)))
