@@ -1,4 +1,5 @@
 """What the tests of the web site share: a browser, and pages that may not fail."""
+import re
 import shutil
 import sys
 
@@ -34,7 +35,8 @@ def address():
 def new_page(browser):
     """new_page(**options): a new page in a context with these options.
 
-    An error in its console, or a request that fails, fails the test, but for a `missing` file's.
+    An error in its console, or a request that fails, fails the test, but for a `missing` file's;
+    and so does a request to another host.
     """
     contexts, faults = [], []
 
@@ -46,6 +48,8 @@ def new_page(browser):
         contexts.append(browser.new_context(**options))
         page = contexts[-1].new_page()
         page.on("pageerror", lambda error: fault(str(error)))
+        page.on("request", lambda request: re.match(r"\w+://(?!127\.0\.0\.1:)", request.url)
+                and fault(f"another host: {request.url}"))
         page.on("requestfailed", lambda request: fault(f"failed: {request.url}", request.url))
         page.on("console", lambda message: message.type == "error"
                 and fault(message.text, message.location["url"]))

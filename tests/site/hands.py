@@ -1,14 +1,15 @@
 """What a reader's hand does: it drags with a mouse, or swipes with its fingers."""
 
 
-def middle(locator):
+def spot(locator, right=0.5, down=0.5):
+    """The point of a box at these shares of its width and its height: its middle."""
     box = locator.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    return box["x"] + right * box["width"], box["y"] + down * box["height"]
 
 
 def drag(page, handle, right, down, beside=0, button="left"):
     """A handle is pressed, so far beside its middle, and moved by so many pixels."""
-    x, y = middle(handle)
+    x, y = spot(handle)
     page.mouse.move(x + beside, y)
     page.mouse.down(button=button)
     page.mouse.move(x + beside + right, y + down, steps=4)

@@ -12,12 +12,18 @@ PAGES = ("index", "lectures/02_rasterization", "lectures/09_inverse_rendering",
          "labs/08_antialiasing", "reference/antialiasing", "search")
 
 
-class Firefox:
-    """A tab of a headless Firefox, by WebDriver BiDi."""
+UNTIL = """const until = async (test) => {
+  for (let n = 0; !test() && n < 600; n++) await new Promise((next) => setTimeout(next, 100));
+  return test(); };"""
 
-    def __init__(self, address):
-        self.socket = websocket.create_connection(f"{address}/session", timeout=120,
+
+class Firefox:
+    """A tab of a headless Firefox, by WebDriver BiDi, for the site at an address."""
+
+    def __init__(self, control, address):
+        self.socket = websocket.create_connection(f"{control}/session", timeout=120,
                                                   suppress_origin=True)
+        self.address = address
         self.numbers, self.errors = itertools.count(1), []
         self.send("session.new", capabilities={})
         self.send("session.subscribe", events=["log.entryAdded"])
@@ -35,20 +41,20 @@ class Firefox:
                 assert said["type"] == "success", said
                 return said["result"]
 
-    def open(self, address):
+    def run(self, page, script):
+        """Open a page of the site -> what an async function with this body returns there."""
         self.errors.clear()
-        self.send("browsingContext.navigate", context=self.tab, url=address, wait="complete")
-
-    def run(self, script):
-        """-> what an async function with this body returns, through JSON."""
+        self.send("browsingContext.navigate", context=self.tab, url=f"{self.address}/{page}",
+                  wait="complete")
+        function = f"(async () => {{ {UNTIL} {script} }})().then(JSON.stringify)"
         found = self.send("script.evaluate", target={"context": self.tab}, awaitPromise=True,
-                          expression=f"(async () => {{ {script} }})().then(JSON.stringify)")
+                          expression=function)
         assert found["type"] == "success", found
         return json.loads(found["result"]["value"])
 
 
 @pytest.fixture(scope="module")
-def firefox(tmp_path_factory):
+def firefox(tmp_path_factory, address):
     """Headless Firefox. Without one, these tests are skipped."""
     found = shutil.which("firefox") or shutil.which("firefox-esr")
     if not found:
@@ -57,58 +63,43 @@ def firefox(tmp_path_factory):
                            tmp_path_factory.mktemp("profile")],
                           stderr=subprocess.PIPE, encoding="utf-8") as process:
         where = next(filter(None, (re.search(r"ws://[\d.:]+", line) for line in process.stderr)))
-        yield Firefox(where[0])
+        yield Firefox(where[0], address)
         process.kill()
 
 
-@pytest.fixture(scope="module")
-def opened(firefox, address):
-    """opened(page): go there -> a function that runs a script there."""
-    def go(page):
-        firefox.open(f"{address}/{page}")
-        return firefox.run
-    return go
-
-
-UNTIL = """const until = async (test) => {
-  for (let n = 0; !test() && n < 600; n++) await new Promise((next) => setTimeout(next, 100));
-  return test(); };"""
-
-
 @pytest.mark.parametrize("page", PAGES)
-def test_a_page_opens_without_a_fault(page, firefox, opened):
+def test_a_page_opens_without_a_fault(page, firefox):
     """A word of CSS or JavaScript that only Chromium knows."""
-    assert opened(f"{page}.html")("return document.documentElement.scrollWidth <= innerWidth")
+    fits = "return document.documentElement.scrollWidth <= innerWidth"
+    assert firefox.run(f"{page}.html", fits)
     assert firefox.errors == []
 
 
-def test_formulas_are_set(opened):
+def test_formulas_are_set(firefox):
     """A fraction's two lines stand beside each other."""
-    run = opened("lectures/07_vertex_gradients.html")
-    above, below = run("""const [a, b] = document.querySelector("math[display] mfrac").children;
+    above, below = firefox.run("lectures/07_vertex_gradients.html", """
+        const [a, b] = document.querySelector("math[display] mfrac").children;
         return [a.getBoundingClientRect().bottom, b.getBoundingClientRect().top]""")
     assert above <= below
 
 
-def test_a_figure_takes_keys_and_plays(opened):
+def test_a_figure_takes_keys_and_plays(firefox):
     """A handle does not hear the keys, or a frame is never drawn."""
-    run = opened("lectures/00_start_here.html")
-    assert run(UNTIL + """
-        await until(() => document.querySelector("#figure-descent .handle"));
-        const handle = document.querySelector("#figure-descent .handle");
+    assert firefox.run("lectures/00_start_here.html", """
+        const figure = document.querySelector("#figure-descent");
+        await until(() => figure.querySelector(".handle"));
+        const handle = figure.querySelector(".handle");
         const at = () => handle.getAttribute("aria-valuetext"), before = at();
         handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
-        return at() !== before""")
-    assert run(UNTIL + """
-        const figure = document.querySelector("#figure-descent");
+        const heard = at() !== before;
         figure.scrollIntoView();
         [...figure.querySelectorAll("button")].find((one) => one.textContent === "Play").click();
-        return until(() => figure.textContent.includes("Found"))""")
+        const found = await until(() => figure.textContent.includes("Found"));
+        return [heard, found]""") == [True, True]
 
 
-def test_the_search_finds_an_exercise(opened):
+def test_the_search_finds_an_exercise(firefox):
     """The records are in a form that only one browser reads."""
-    run = opened("search.html?q=8.7")
-    assert "#exercise-8-7" in run(UNTIL + """
+    assert "#exercise-8-7" in firefox.run("search.html?q=8.7", """
         await until(() => document.querySelector("#found a"));
         return document.querySelector("#found a").href""")

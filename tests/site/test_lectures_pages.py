@@ -123,6 +123,16 @@ def test_a_lecture_links_where_it_may_and_numbers_its_figures(path):
                for number, figure in enumerate(figures, 1))
 
 
+@pytest.mark.parametrize("name", ["04_msaa", "12_simplification"])
+def test_without_scripts_there_are_all_pictures_and_nothing_else(name, new_page, address):
+    """An empty box where a figure would answer, half of a pair, or a button that does nothing."""
+    page = new_page(java_script_enabled=False)
+    page.goto(f"{address}/lectures/{name}.html")
+    assert page.locator("article :is(button, input, canvas), .answers:visible").count() == 0
+    stills = page.locator("figure:is(.animation, .before-after, .orbit) img")
+    assert stills.and_(page.locator(":visible")).count() == stills.count() > 2
+
+
 def test_the_words_of_a_button_are_its_name(page, address):
     """Who speaks to the computer says "How it is drawn", and nothing has this name."""
     page.goto(f"{address}/lectures/02_rasterization.html")

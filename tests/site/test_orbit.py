@@ -3,12 +3,11 @@ import html
 import io
 import json
 import shutil
-import urllib.parse
 
 import numpy as np
 import pytest
 import trimesh
-from hands import drag, middle, swipe
+from hands import drag, spot, swipe
 from PIL import Image
 from serving import ROOT, served
 
@@ -109,8 +108,6 @@ def test_three_is_loaded_only_when_asked_for(page, address):
     assert any(url.endswith("three.min.js") for url in asked)
     assert any(url.endswith("coarse.glb") for url in asked)
     assert not any(url.endswith("fine.glb") for url in asked)
-    hosts = {urllib.parse.urlsplit(url).netloc for url in asked}
-    assert hosts == {urllib.parse.urlsplit(address).netloc}
     assert changed(still, picture(page)) > 0.2
 
 
@@ -165,7 +162,7 @@ def test_the_mouse_turns_reset_turns_back_and_an_arrow_turns_as_the_mouse(two):
 def test_the_wheel_zooms_only_where_the_reader_works(two):
     """A reader who scrolls past is held at the canvas."""
     first = picture(two)
-    two.mouse.move(*middle(two.locator(".stage")))
+    two.mouse.move(*spot(two.locator(".stage")))
     two.mouse.wheel(0, 60)
     assert changed(first, picture(two)) > 0.02
     assert two.evaluate("scrollY") == 0
@@ -259,7 +256,7 @@ def test_a_finger_scrolls_before_and_turns_after(new_page, address):
     """The figure holds a reader who scrolls past; or it scrolls away below the finger."""
     page = new_page(has_touch=True, viewport={"width": SIZE, "height": 500})
     page.goto(f"{address}/two.html")
-    x, y = middle(page.locator(".stage"))
+    x, y = spot(page.locator(".stage"))
     swipe(page, ((x, y), (x, y - 90)))
     page.wait_for_function("scrollY > 0")
     page.goto("about:blank")  # the scrolling goes on for a while
@@ -314,11 +311,3 @@ def test_a_later_mesh_that_does_not_come_is_told(new_page, address):
     slider.press("End")
     page.get_by_text("1,280 faces", exact=True).wait_for()
     assert changed(coarse, picture(page)) > 0.1
-
-
-def test_without_scripts_there_is_the_still_alone(new_page, address):
-    """A button that does nothing."""
-    page = new_page(java_script_enabled=False)
-    page.goto(f"{address}/two.html")
-    assert page.locator("figure > *").count() == 1
-    assert page.locator("img").is_visible()

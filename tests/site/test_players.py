@@ -5,12 +5,12 @@ import shutil
 import numpy as np
 import pytest
 from checks import moved
-from hands import swipe
-from pages import comparisons, lectures
+from hands import spot, swipe
+from pages import lectures
 from pages.posters import poster
 from PIL import Image
 from playwright.sync_api import expect
-from serving import ROOT, served
+from serving import ROOT, SITE, served
 
 # As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]
@@ -235,17 +235,16 @@ def test_the_line_is_dragged_anywhere_on_the_picture(page, place):
     """Only a slider at the picture's foot moves it; or a click ends somewhere else."""
     page.goto(place(pair()))
     page.get_by_role("slider").wait_for()
-    box = page.locator(".pair").bounding_box()
-    y = box["y"] + box["height"] / 4
-    page.mouse.move(box["x"] + box["width"] / 2, y)
+    pictures = page.locator(".pair")
+    page.mouse.move(*spot(pictures, 0.5, 0.25))
     page.mouse.down()
-    page.mouse.move(box["x"] + 0.7 * box["width"], y, steps=3)
+    page.mouse.move(*spot(pictures, 0.7, 0.25), steps=3)
     assert line(page) == pytest.approx(70, abs=0.5)
-    page.mouse.move(box["x"] + 0.2 * box["width"], y, steps=3)
+    page.mouse.move(*spot(pictures, 0.2, 0.25), steps=3)
     page.mouse.up()
-    page.mouse.move(box["x"] + 0.9 * box["width"], y)
+    page.mouse.move(*spot(pictures, 0.9, 0.25))
     assert line(page) == pytest.approx(20, abs=0.5)
-    page.mouse.click(box["x"] + 0.8 * box["width"], y)
+    page.mouse.click(*spot(pictures, 0.8, 0.25))
     assert line(page) == pytest.approx(80, abs=0.5)
     page.keyboard.press("Home")
     assert line(page) == 0
@@ -256,9 +255,8 @@ def test_a_finger_moves_the_line_sideways_and_the_page_up(new_page, place):
     page = new_page(has_touch=True, viewport={"width": 375, "height": 600})
     page.goto(place(pair() + '<p style="height: 2000px">Text.</p>'))
     page.get_by_role("slider").wait_for()
-    box = page.locator(".pair").bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 4
-    swipe(page, ((x, y), (box["x"] + box["width"] / 4, y + 5)))
+    x, y = spot(page.locator(".pair"), 0.5, 0.25)
+    swipe(page, ((x, y), (spot(page.locator(".pair"), 0.25)[0], y + 5)))
     page.wait_for_function("document.querySelector('input').value < 50")
     assert line(page) == pytest.approx(25, abs=1)
     assert page.evaluate("scrollY") == 0
@@ -287,14 +285,6 @@ def test_nothing_moves_when_a_player_starts(new_page, place, width):
     assert moved(page) == []
 
 
-def test_without_scripts_the_pictures_stand_there(new_page, place):
-    """A reader without scripts sees an empty box, or half of a pair."""
-    page = new_page(java_script_enabled=False)
-    page.goto(place(animation() + pair()))
-    assert page.locator("img:visible").count() == 3
-    assert page.locator("input").count() == 0
-
-
 def test_from_disk_both_pictures_of_a_pair_stand_there(browser, place, tmp_path):
     """Browsers start no modules from files: the second picture waits for a script for ever."""
     place(pair() + '<script src="static/scrolling.js"></script>')
@@ -304,10 +294,9 @@ def test_from_disk_both_pictures_of_a_pair_stand_there(browser, place, tmp_path)
     page.close()
 
 
-def test_the_samples_of_a_pixel_can_be_seen(tmp_path):
+def test_the_samples_of_a_pixel_can_be_seen():
     """Two bunnies with outlines a pixel wide: the line moves, and nothing seems to change."""
-    comparisons.write(tmp_path / "extra")
-    one, many = (np.asarray(Image.open(tmp_path / "extra" / "pairs" / f"samples_{name}.png"))
+    one, many = (np.asarray(Image.open(SITE / "pairs" / f"samples_{name}.png"))
                  for name in ("1x", "16x"))
     assert one.shape == many.shape == (512, 512, 3)
     assert np.mean(np.abs(one.astype(int) - many).max(2) > 30) > 0.01

@@ -4,9 +4,8 @@ import shutil
 
 import numpy as np
 import pytest
-from pages import waves
 from reading import NAMES, SOURCE, opened
-from serving import served
+from serving import SITE, served
 
 PAGE = """<!doctype html>
 <html lang="en">
@@ -35,7 +34,7 @@ def address(tmp_path_factory):
     """A page for each figure, NAME.html."""
     folder = tmp_path_factory.mktemp("figures")
     shutil.copytree(SOURCE, folder / "figures")
-    waves.write(folder)
+    shutil.copytree(SITE / "waves", folder / "waves")
     for name in NAMES:
         (folder / f"{name}.html").write_text(PAGE.format(name=name))
     with served(folder) as at:

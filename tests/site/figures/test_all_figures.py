@@ -25,13 +25,6 @@ def test_nothing_on_the_page_moves_when_a_figure_starts(page, address, name, wid
     assert across == width
 
 
-def test_without_a_script_a_figure_takes_no_room(new_page, address):
-    """An empty box stands in the page."""
-    page = new_page(java_script_enabled=False)
-    page.goto(f"{address}/alias.html")
-    assert page.locator(".answers").bounding_box() is None
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_a_figure_is_for_all_readers(page, address, name):
     """A text is too pale, or a handle has no name."""

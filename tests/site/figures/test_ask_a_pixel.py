@@ -1,5 +1,6 @@
 """A camera in the plane: what its pixels show, and what they pull, as the reference in space."""
 import numpy as np
+from hands import spot
 from reading import opened, point_of, settled, verdict
 
 from reference import multi_view_fit, pipeline, reconstruction
@@ -134,8 +135,7 @@ def test_each_pixel_says_by_what_it_pulls_and_play_opens_the_hole(page, address)
     for key, reason in (("Home", "Coverage"), ("End", "Nothing"), ("ArrowLeft", "Coverage")):
         pixel.press(key)
         assert verdict(page).startswith(reason)
-    box = page.locator(".sheet").bounding_box()
-    page.mouse.move(box["x"] + 0.2 * box["width"], box["y"] + 0.3 * box["height"])
+    page.mouse.move(*spot(page.locator(".sheet"), 0.2, 0.3))
     assert verdict(page).startswith("Only colour")
     page.get_by_role("button", name="Play").click()
     page.get_by_text("The coverage is right").wait_for(timeout=120_000)

@@ -1,6 +1,6 @@
 """The figures of lectures 02 to 08: their functions, their numbers."""
 import numpy as np
-from hands import middle
+from hands import spot
 from reading import numbers, opened, point_of, settled, verdict
 
 from reference import (
@@ -201,10 +201,9 @@ def test_the_floors_pixel_shows_the_references_level(page, address, call):
     level = mipmapping.mip_level(np.array([s["jacobian"] for s in seen]), 128, 128)
     lower, upper, f = mipmapping.blend_levels(level, 7)
     opened(page, address, "mip_level")
-    box = page.get_by_role("img", name="A floor").bounding_box()
+    floor = page.get_by_role("img", name="A floor")
     for k, (x, y) in enumerate(pixels):
-        page.mouse.click(box["x"] + x * box["width"] / 336,
-                         box["y"] + (192 - y) * box["height"] / 192)
+        page.mouse.click(*spot(floor, x / 336, 1 - y / 192))
         length, shown, *mixed = numbers(verdict(page))
         wanted = [1 - f[k], lower[k], f[k], upper[k]] if f[k] else [lower[k]]
         np.testing.assert_allclose([shown, *mixed], [level[k], *wanted], atol=5.1e-3)
@@ -241,7 +240,7 @@ def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address):
         page.keyboard.press("ArrowLeft")
     chosen, shown = left.get_attribute("aria-valuetext"), weights(page)
     assert chosen != first and right.get_attribute("aria-valuetext") == chosen
-    x, y = middle(right)
+    x, y = spot(right)
     page.mouse.move(x + 30, y + 10)
     assert not np.array_equal(weights(page), shown)
     page.mouse.move(1, 1)

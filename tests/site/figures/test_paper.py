@@ -1,7 +1,7 @@
 """A sheet's points are moved and its pixels chosen: by mouse, keys and fingers."""
 import numpy as np
 import pytest
-from hands import drag, middle, swipe
+from hands import drag, spot, swipe
 from reading import numbers, opened, point_of, settled, verdict
 
 from reference import rasterization
@@ -30,8 +30,7 @@ def check_edges(page, p):
 
 def at(sheet, x, y):
     """The place of (x, y) on a sheet of 12 x 8."""
-    box = sheet.bounding_box()
-    return box["x"] + x * box["width"] / 12, box["y"] + (8 - y) * box["height"] / 8
+    return spot(sheet, x / 12, 1 - y / 8)
 
 
 def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
@@ -40,7 +39,7 @@ def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
     opened(page, address, "edge_functions")
     sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
     check_edges(page, [7.5, 3.5])
-    drag(page, vertex, *np.subtract(at(sheet, 2.3, 4.2), middle(vertex)), beside=9)
+    drag(page, vertex, *np.subtract(at(sheet, 2.3, 4.2), spot(vertex)), beside=9)
     assert point_of(vertex) == [2.25, 4.25]
     for key in ("ArrowRight", "ArrowLeft", "ArrowDown"):
         page.keyboard.press(key)
@@ -101,7 +100,7 @@ def test_a_finger_moves_a_vertex_that_is_near_and_elsewhere_the_page(phone):
     wide as the phone holds the reader."""
     sheet, vertex = phone.locator(".sheet"), phone.locator(".handle:text-is('0')")
     for place, beside in ([3, 5.5], 0), ([2, 6], 18):
-        (x, y), (right, down) = middle(vertex), at(sheet, *place)
+        (x, y), (right, down) = spot(vertex), at(sheet, *place)
         swipe(phone, ((x + beside, y), (right + beside, down)))
         assert point_of(vertex) == place
         assert phone.evaluate("scrollY") == 0

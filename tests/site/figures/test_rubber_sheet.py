@@ -2,7 +2,7 @@
 import re
 
 import numpy as np
-from hands import middle
+from hands import spot
 from reading import MINUS, opened, settled, verdict
 
 from reference import rasterization, rasterizer_gradients, vertex_gradients
@@ -63,8 +63,7 @@ def test_the_chosen_pixel_stays_until_another_is_chosen(page, address):
     """A mouse on its way to a vertex takes the pixel along, or one outside has arrows."""
     opened(page, address, "rubber_sheet")
     before = page.inner_text(".told")
-    x, y = middle(page.locator(".sheet"))
-    page.mouse.move(x, y)
+    page.mouse.move(*spot(page.locator(".sheet")))
     assert settled(page).inner_text(".told") == before
     assert page.locator(".sheet polygon.pull").count() == 3
     probe = page.get_by_role("slider", name="Pixel")
