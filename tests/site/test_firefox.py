@@ -93,6 +93,7 @@ def test_a_figure_takes_keys_and_plays(firefox):
         handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
         const heard = at() !== before;
         figure.scrollIntoView();
+        await new Promise(requestAnimationFrame);
         [...figure.querySelectorAll("button")].find((one) => one.textContent === "Play").click();
         const found = await until(() => figure.textContent.includes("Found"));
         return [heard, found]""") == [True, True]
