@@ -88,4 +88,5 @@ def test_everything_can_be_read(name, page, address):
     page.goto(f"{address}/{name}.html", wait_until="networkidle")
     for theme in "light", "dark":
         page.emulate_media(color_scheme=theme)
+        page.evaluate("Promise.allSettled(document.getAnimations().map(one => one.finished))")
         assert barriers(page, PROSE, runOnly=["color-contrast"]) == [], theme
