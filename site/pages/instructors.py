@@ -1,24 +1,23 @@
 """Guides and errata: texts of the repository, with the site's links, and their pictures."""
+import posixpath
 import re
 
 from course.given import image
 from course.given.places import ROOT
 
 from . import picture, put
+from .names import TEXTS
 from .texts_links import with_page_links
 
-TEXTS = {"instructors.md": "course/grading/README.md", "errata.md": "notebooks/errata.md",
-         "own_pictures.md": "course/experiments/folder/README.md",
-         "real_projects.md": "course/bridge/README.md"}
 PICTURE = re.compile(r"!\[([^]]*)\]\((\w+\.png)\)")
 
 
 def write(folder, extra):
     """Write them into a folder, and their pictures to extra."""
-    for name, source in TEXTS.items():
-        place = (ROOT / source).parent
-        text = with_pictures((ROOT / source).read_text("utf-8"), place, extra)
-        put(folder / name, with_page_links(text, source.rpartition("/")[0]))
+    for source, name in TEXTS.items():
+        place, text = posixpath.dirname(source), (ROOT / source).read_text("utf-8")
+        text = with_pictures(text, ROOT / place, extra)
+        put(folder / f"{name}.md", with_page_links(text, place))
 
 
 def with_pictures(text, place, extra):

@@ -1,6 +1,5 @@
 """The labs' pages: what each exercise asks, without its answer, and where to read on."""
 import ast
-import functools
 import html
 import itertools
 import re
@@ -38,17 +37,13 @@ def of_lab(course, lab):
 
 def summary(course, lab):
     """What is built in a lab, and how long it takes: README.md knows."""
-    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme(), re.M).groups()
+    readme = exercises.read(places.ROOT / "README.md")
+    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme, re.M).groups()
     found = of_lab(course, lab).values()
     core = [exercise for exercise in found if not exercise.is_extra]
     return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
             f"exercises ({points(sum(exercise.points for exercise in core))}) and "
             f"{len(found) - len(core)} extras.\n")
-
-
-@functools.cache
-def readme():
-    return exercises.read(places.ROOT / "README.md")
 
 
 def index(course):
@@ -106,14 +101,14 @@ def gaps(modules, asked):
     for module in modules:
         functions = [f"{module.name}.{name}" for name, node in module.nodes.items()
                      if isinstance(node, ast.FunctionDef)]
-        first = min((numbers[name] for name in functions if name in numbers), default=0)
-        waiting, last = [], first - 2  # code above the first exercise has the number before it
+        waiting, last = [], None
         for name in functions:
-            if name not in numbers:
+            if name in numbers:  # code above the first exercise has the number before it
+                first = numbers[name] - 1 if last is None else last + 1
+                found |= {n: waiting for n in range(first, numbers[name]) if n in found}
+                waiting, last = [], numbers[name]
+            else:
                 waiting.append(name)
-                continue
-            found |= {n: waiting for n in range(last + 1, numbers[name]) if n in found}
-            waiting, last = [], numbers[name]
     return found
 
 
@@ -158,8 +153,7 @@ def question(course, name):
 def read_on(course, name):
     """Links: where the lecture asks it, its answer, and what the answer calls."""
     exercise, (module, node) = course.exercises[name], module_and_node(course, name)
-    lecture = course.lectures[module.lab]
-    page, heading = lecture.announced.get(exercise.number, (lecture.page, lecture.title))
+    page, heading = course.lectures[module.lab].announced[exercise.number]
     place = f"../lectures/{page}.html#{make_id(heading)}"
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'

@@ -6,13 +6,12 @@ that goes on from it, 14 and 14b, number their equations together. What has no t
 """
 import functools
 import re
-from pathlib import Path
 
 from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from .formulas import TAG
+from . import sources_course
 from .names import exercise_pages, function_page
 
 NUMBER = re.compile(r"\d+b?")
@@ -131,16 +130,10 @@ class Targets:
         return ""
 
     def equation(self, number, lecture):
-        page = equations(self.env.srcdir).get((lecture[:2], number))
-        return self.address(page, f"equation-{number}") if page else ""
-
-
-@functools.cache
-def equations(folder):
-    """{(number of the lecture, number of the equation): page}."""
-    return {(path.stem[:2], number): f"lectures/{path.stem}"
-            for path in Path(folder).glob("lectures/*.ipynb")
-            for number in TAG.findall(path.read_text("utf-8"))}
+        lectures = sources_course.read().lectures
+        known = lectures[int(lecture[:2])].equations if int(lecture[:2]) in lectures else {}
+        page, _ = known.get(int(number), (None, None))
+        return self.address(f"lectures/{page}", f"equation-{number}") if page else ""
 
 
 def definitions(env, page):

@@ -63,10 +63,9 @@ def page(course, module):
     return "\n".join(parts)
 
 
-def directive(kind, name, content="", options=()):
+def directive(kind, name, content=""):
     """A directive of Sphinx's Python domain, whose content may hold others."""
-    lines = "".join(f":{option}:\n" for option in options)
-    return f":::::{{py:{kind}}} {name}\n{lines}\n{content}\n:::::\n"
+    return f":::::{{py:{kind}}} {name}\n{content}\n:::::\n"
 
 
 def links(course, module):
@@ -100,7 +99,7 @@ def section(module, block):
 def constants(block, code):
     """Imports and constants. These have their places in the index, which a container keeps."""
     names = [name for node in block.nodes for name in sources_course.defined(node)]
-    return "\n".join([*(directive("data", name, options=("no-typesetting",)) for name in names),
+    return "\n".join([*(directive("data", name, ":no-typesetting:") for name in names),
                       f"::::{{container}} constants\n{as_myst(code)}::::\n"])
 
 

@@ -43,12 +43,11 @@ class Module(NamedTuple):
 
 
 class Lecture(NamedTuple):
-    """A lecture and the pages after it: its page's name, its title, {number: page and LaTeX} of
-    equations, {exercise's number: page and heading}.
+    """A lecture and the pages after it: its page's name, {number: page and LaTeX} of equations,
+    {exercise's number: page and heading}.
     """
 
     page: str
-    title: str
     equations: dict
     announced: dict
 
@@ -87,9 +86,8 @@ class Course(NamedTuple):
         return node if isinstance(node, ast.FunctionDef) else None
 
     def equations(self, module):
-        """{number: LaTeX} of the lecture whose numbers a module uses."""
-        known = self.lectures[module.lab].equations if module.lab else {}
-        return {number: latex for number, (_, latex) in known.items()}
+        """{number: page and LaTeX} of the lecture whose numbers a module uses."""
+        return self.lectures[module.lab].equations if module.lab else {}
 
     def address(self, name):
         """Where a module, or a function, class or constant of one, has its place on the site."""
@@ -97,10 +95,6 @@ class Course(NamedTuple):
             module = self.modules[name]
             return f"../{module.folder}/{module.topic}.html"
         return f"{self.address(name.rpartition('.')[0])}#{name}"
-
-    def equation_address(self, module, number):
-        page, _ = self.lectures[module.lab].equations[number]
-        return f"../lectures/{page}.html#equation-{number}"
 
 
 @functools.cache
@@ -111,8 +105,6 @@ def read():
     texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
              for path in paths}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
-    for module in modules.values():
-        module.names.update({short: origin(modules, full) for short, full in module.names.items()})
     asked = {f"reference.{topic}.{exercise.name}": exercise for topic in exercises.TOPICS
              for exercise in exercises.topic_exercises(topic)}
     lectures = {lab: read_lecture(topics[0], [exercise for exercise in asked.values()
@@ -138,30 +130,20 @@ def read_module(name, text, known):
     names = {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom):
-            source = ".".join([name.rpartition(".")[0], node.module or ""][not node.level:])
-            found = {alias.asname or alias.name: f"{source.strip('.')}.{alias.name}"
-                     for alias in node.names}
-            names |= {short: full for short, full in found.items()
-                      if full in known or full.rpartition(".")[0] in known}
+            package = f"{name.rpartition('.')[0]}." if node.level else ""
+            source = f"{package}{node.module or ''}".rstrip(".")
+            names |= {alias.name: f"{source}.{alias.name}" for alias in node.names
+                      if source in known or f"{source}.{alias.name}" in known}
         else:
             names |= {short: f"{name}.{short}" for short in defined(node)}
     return Module(name, text, tree, names)
-
-
-def origin(modules, full):
-    """The full name where a name is defined, which a module may have imported itself."""
-    module, _, name = full.rpartition(".")
-    here = modules[module].names.get(name, full) if module in modules else full
-    return full if here == full else origin(modules, here)
 
 
 def defined(node):
     """The names that a statement of a module defines: a function, a class, constants."""
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return [node.name]
-    if not isinstance(node, ast.Assign):
-        return []
-    return [part.id for target in node.targets for part in ast.walk(target)
+    return [part.id for target in getattr(node, "targets", ()) for part in ast.walk(target)
             if isinstance(part, ast.Name)]
 
 
@@ -174,9 +156,7 @@ def read_lecture(topic, asked):
                 equations[int(tag[1])] = path.stem, formula.replace(tag[0], "").strip()
         announced = {number: (path.stem, heading) for number, heading
                      in announcements(texts, asked).items()} | announced
-    path = exercises.lecture(topic)
-    title = re.search(r"^# (.*)", exercises.cells(path)[0], re.M)[1]
-    return Lecture(path.stem, title, equations, announced)
+    return Lecture(exercises.lecture(topic).stem, equations, announced)
 
 
 def announcements(texts, asked):
