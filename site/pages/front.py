@@ -1,5 +1,4 @@
 """The front page: its words are in front.md, its numbers in README.md, its pictures in lectures."""
-import html
 import io
 import os
 import re
@@ -9,11 +8,9 @@ from pathlib import Path
 from PIL import Image, ImageOps
 
 from course import exercises
-from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
-from . import picture, put
-from .posters import frame_count, poster
+from . import picture, poster, put
 from .sidebar import trees
 
 STILL_LIFE = "course/given/data/still_life.png"
@@ -44,15 +41,7 @@ GALLERY = {  # lecture: the file, the part of it that is shown, its words, and w
         "a bunny with many red and blue spots",
         "one of the waves that a surface is made of"),
 }
-FILM = """\
-<figure class="animation film" data-file="reconstruction.png" data-frames="{frames}"
- data-autoplay>
-<img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
-<figcaption><span>the target</span> <span>found, with paint and light</span>
-<span>its shape, in white clay</span></figcaption>
-</figure>"""
-FILM_WORDS = ("An animation. Left, a painted bunny. Beside it a grey ball becomes this bunny, "
-              "paint and light included. On the right the same shape in white clay")
+FILM = DATA / "reconstruction.png"
 SHOWN = ('<a href="lectures/{lecture}.html">{picture}'
          "<span><b>Lecture {number}:</b> {below}</span></a>")
 ZIP = "differentiable-rasterization"
@@ -62,9 +51,8 @@ ORIGIN = re.compile(r"(?:https://(?:[^@/]+@)?|(?:ssh://)?git@)([\w.-]+)[:/](.+?)
 
 def write(folder, extra, lite):
     """Write folder/index.md, and its files to extra. lite: the labs in the browser are there."""
-    film = read_whole(DATA / "reconstruction.png")
-    put(extra / "reconstruction.png", film)
-    put(extra / "reconstruction_still.png", poster(film))
+    put(extra / FILM.name, read_whole(FILM))
+    put(extra / "reconstruction_still.png", poster(Image.open(FILM)))
     put(extra / "still_life.jpg", smaller(Image.open(ROOT / STILL_LIFE), (1200, 675), "JPEG"))
     archive = git("archive", "--format=zip", f"--prefix={ZIP}/", "HEAD")
     if archive:
@@ -78,11 +66,9 @@ def page(pictures, get, lite):
     readme = exercises.read(ROOT / "README.md")
     numbers = {name: re.search(rf"The {name} is (\d+) exercises, about (\d+) hours",
                                readme).groups() for name in ("spine", "core")}
-    width, height = image.size(DATA / "reconstruction.png")
-    frames = frame_count(read_whole(DATA / "reconstruction.png"))
     return exercises.read(Path(__file__).with_name("front.md")).format(
         labs=len(exercises.LABS), gallery=pictures, get=get, lite=LITE if lite else "",
-        film=FILM.format(words=html.escape(FILM_WORDS), width=width, height=height, frames=frames),
+        film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
 
 

@@ -97,33 +97,32 @@ def overview(course, asked):
 def gaps(modules, asked):
     """{a number without an exercise: the given functions that stand where it would}."""
     numbers = {name: int(exercise.number.split(".")[1]) for name, exercise in asked.items()}
-    found = {n: [] for n in range(1, max(numbers.values())) if n not in numbers.values()}
+    found = {}
     for module in modules:
-        functions = [f"{module.name}.{name}" for name, node in module.nodes.items()
-                     if isinstance(node, ast.FunctionDef)]
-        waiting, last = [], None
-        for name in functions:
+        waiting, last = [], 0
+        for short, node in module.nodes.items():
+            name = f"{module.name}.{short}"
             if name in numbers:  # code above the first exercise has the number before it
-                first = numbers[name] - 1 if last is None else last + 1
-                found |= {n: waiting for n in range(first, numbers[name]) if n in found}
+                first = last + 1 if last else max(1, numbers[name] - 1)
+                missing = {*range(first, numbers[name])}.difference(numbers.values())
+                found |= dict.fromkeys(missing, waiting)
                 waiting, last = [], numbers[name]
-            else:
+            elif isinstance(node, ast.FunctionDef):
                 waiting.append(name)
     return found
 
 
-def given(course, lab, missing):
+def given(course, lab, found):
     """What became of the numbers that no exercise has."""
-    if not missing:
-        return ""
     parts = []
-    for names, numbers in itertools.groupby(missing, key=missing.get):
+    for names, numbers in itertools.groupby(sorted(found), key=found.get):
+        marks = ", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
+                          for number in numbers)
         code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
                          "</a>" for name in names)
-        parts.append(", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
-                               for number in numbers) + f" ({code})" * bool(names))
-    return as_myst(f"<p>Numbers without an exercise belong to given code: "
-                   f"{', '.join(parts)}.</p>")
+        parts.append(f"{marks} ({code})")
+    return as_myst("<p>Numbers without an exercise belong to given code: "
+                   f"{', '.join(parts)}.</p>") if parts else ""
 
 
 def question_line(course, name):

@@ -124,10 +124,9 @@ class Targets:
 
     def section(self, number, lecture):
         page = self.lectures.get(lecture)
-        for slug, (_, _, title) in self.env.metadata[page].get("myst_slugs", {}).items():
-            if title.startswith(f"{number}. "):
-                return self.address(page, slug)
-        return ""
+        slugs = self.env.metadata[page].get("myst_slugs", {})
+        return next((self.address(page, slug) for slug, (_, _, title) in slugs.items()
+                     if title.startswith(f"{number}. ")), "")
 
     def equation(self, number, lecture):
         lectures = sources_course.read().lectures

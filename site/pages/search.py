@@ -50,8 +50,6 @@ def records(name, page):
     """A page -> [address, title, place, text] of each of its parts. Code and formulas stay out."""
     parts = []
     gather(page, parts)
-    if not parts:
-        return
     folder, _, topic = name.rpartition("/")
     head = page_title(name, parts[0][1])
     yield [f"{name}.html", head, KINDS.get(folder, "Page"), shown(parts[0][2])]

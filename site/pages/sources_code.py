@@ -60,8 +60,6 @@ def docstring_lines(node):
 def listing(lines, first, last, hidden=()):
     """lines: all lines of the file, as HTML. -> those from first to last, without the hidden."""
     shown = [n for n in range(first, last + 1) if n not in hidden]
-    while not lines[shown[-1] - 1].strip():
-        shown.pop()
     rows = [f'<a class="linenos" id="line-{n}" href="#line-{n}" tabindex="-1">{n}</a>'
             + lines[n - 1] for n in shown]
     return '<div class="highlight code"><pre tabindex="0">' + "\n".join(rows) + "\n</pre></div>"
