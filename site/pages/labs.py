@@ -11,6 +11,7 @@ from course.given import places
 
 from . import put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points
+from .sources_course import bound
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
@@ -28,18 +29,11 @@ def write(folder):
         put(folder / "labs" / f"{lecture.page}.md", page(course, lab))
 
 
-def of_lab(course, lab):
-    """{full name: Exercise} of a lab, by number."""
-    mine = {name: exercise for name, exercise in course.exercises.items()
-            if exercise.number.split(".")[0] == str(lab)}
-    return dict(sorted(mine.items(), key=lambda item: int(item[1].number.split(".")[1])))
-
-
 def summary(course, lab):
     """What is built in a lab, and how long it takes: README.md knows."""
     readme = exercises.read(places.ROOT / "README.md")
     built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme, re.M).groups()
-    found = of_lab(course, lab).values()
+    found = course.lectures[lab].asked.values()
     core = [exercise for exercise in found if not exercise.is_extra]
     return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
             f"exercises ({points(sum(exercise.points for exercise in core))}) and "
@@ -53,7 +47,7 @@ def index(course):
         items = " ".join(f'<li><a class="{kind(exercise)}" href="{lecture.page}.html'
                          f'#{anchor(exercise.number)}">{exercise.number} '
                          f"<code>{exercise.name}</code></a></li>"
-                         for exercise in of_lab(course, lab).values())
+                         for exercise in lecture.asked.values())
         parts.append(f"## [{lab_title(lab)}](/labs/{lecture.page}.md)\n\n"
                      + summary(course, lab)
                      + as_myst(f'<ul class="exercises">{items}</ul>'))
@@ -62,7 +56,7 @@ def index(course):
 
 def page(course, lab):
     """One lab: its table of exercises, then their questions."""
-    lecture, asked = course.lectures[lab], of_lab(course, lab)
+    lecture, asked = course.lectures[lab], course.lectures[lab].asked
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
     links = " · ".join([f'<a href="../lectures/{lecture.page}.html">Lecture {lab}</a>',
                         *(f'<a href="{course.address(module.name)}">'
@@ -86,26 +80,28 @@ def files(asked):
 
 def overview(course, asked):
     """The table of a lab's exercises, a line each."""
-    rows = [[f'<a href="#{anchor(exercise.number)}">{exercise.number}</a>',
-             f'<a href="#{anchor(exercise.number)}"><code>{exercise.name}</code></a>',
-             str(exercise.points),
-             f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
-             question_line(course, name)] for name, exercise in asked.items()]
+    rows = []
+    for name, exercise in asked.items():
+        module, node = module_and_node(course, name)
+        link, question = f'<a href="#{anchor(exercise.number)}">', ast.get_docstring(node)
+        rows.append([f"{link}{exercise.number}</a>", f"{link}<code>{exercise.name}</code></a>",
+                     str(exercise.points),
+                     f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
+                     inline(course, module, first_sentence(question), {*bound(node)})])
     return table("overview", ["number", "function", "points", "kind", "question"], rows)
 
 
 def gaps(modules, asked):
     """{a number without an exercise: the given functions that stand where it would}."""
     numbers = {name: int(exercise.number.split(".")[1]) for name, exercise in asked.items()}
-    found = {}
+    found = {n: [] for n in range(1, max(numbers.values())) if n not in numbers.values()}
     for module in modules:
         waiting, last = [], 0
         for short, node in module.nodes.items():
             name = f"{module.name}.{short}"
             if name in numbers:  # code above the first exercise has the number before it
-                first = last + 1 if last else max(1, numbers[name] - 1)
-                missing = {*range(first, numbers[name])}.difference(numbers.values())
-                found |= dict.fromkeys(missing, waiting)
+                first = last + 1 if last else numbers[name] - 1
+                found |= {n: waiting for n in range(first, numbers[name]) if n in found}
                 waiting, last = [], numbers[name]
             elif isinstance(node, ast.FunctionDef):
                 waiting.append(name)
@@ -115,20 +111,14 @@ def gaps(modules, asked):
 def given(course, lab, found):
     """What became of the numbers that no exercise has."""
     parts = []
-    for names, numbers in itertools.groupby(sorted(found), key=found.get):
+    for names, numbers in itertools.groupby(found, key=found.get):
         marks = ", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
                           for number in numbers)
         code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
                          "</a>" for name in names)
-        parts.append(f"{marks} ({code})")
+        parts.append(f"{marks} ({code})" if code else marks)
     return as_myst("<p>Numbers without an exercise belong to given code: "
                    f"{', '.join(parts)}.</p>") if parts else ""
-
-
-def question_line(course, name):
-    module, node = module_and_node(course, name)
-    return inline(course, module, first_sentence(ast.get_docstring(node)),
-                  set(sources_course.bound(node)))
 
 
 def module_and_node(course, name):

@@ -12,43 +12,31 @@ from course.given import places
 
 
 class Module(NamedTuple):
-    """A module of reference/ or course/given/.
+    """A module of reference/ or course/given/: its name as it is imported, its folder, its topic,
+    its lab or None, its text, and of what is in it
 
-    name: as it is imported. names: {name in the module: full name} of what it defines and imports.
+    nodes: {name: node} of its functions and classes
+    names: {name in the module: full name} of what it defines and imports.
     """
 
     name: str
+    folder: str
+    topic: str
+    lab: int | None
     text: str
     tree: ast.Module
+    nodes: dict
     names: dict
-
-    @property
-    def folder(self):
-        return self.name.split(".")[-2]
-
-    @property
-    def topic(self):
-        return self.name.split(".")[-1]
-
-    @property
-    def nodes(self):
-        """{name: node} of its functions and classes."""
-        return {node.name: node for node in self.tree.body
-                if isinstance(node, ast.FunctionDef | ast.ClassDef)}
-
-    @property
-    def lab(self):
-        known = self.folder == "reference" and self.topic in exercises.TOPICS
-        return exercises.lab_number(self.topic) if known else None
 
 
 class Lecture(NamedTuple):
     """A lecture and the pages after it: its page's name, {number: page and LaTeX} of equations,
-    {exercise's number: page and heading}.
+    {full name: Exercise} of its lab by number, {exercise's number: page and heading}.
     """
 
     page: str
     equations: dict
+    asked: dict
     announced: dict
 
 
@@ -105,11 +93,9 @@ def read():
     texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
              for path in paths}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
-    asked = {f"reference.{topic}.{exercise.name}": exercise for topic in exercises.TOPICS
-             for exercise in exercises.topic_exercises(topic)}
-    lectures = {lab: read_lecture(topics[0], [exercise for exercise in asked.values()
-                                              if exercise.number.split(".")[0] == str(lab)])
-                for lab, topics in enumerate(exercises.LABS, 1)}
+    lectures = {lab: read_lecture(topics) for lab, topics in enumerate(exercises.LABS, 1)}
+    asked = {name: exercise for lecture in lectures.values()
+             for name, exercise in lecture.asked.items()}
     used = {name: uses(modules, module) for name, module in modules.items()}
     return Course(modules, lectures, asked, used, places_of(modules))
 
@@ -126,8 +112,9 @@ def places_of(modules):
 
 def read_module(name, text, known):
     """known: the full names of all modules."""
-    tree = ast.parse(text)
-    names = {}
+    folder, topic = name.split(".")[-2:]
+    lab = exercises.lab_number(topic) if folder == "reference" and topic != "tiny" else None
+    tree, names = ast.parse(text), {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom):
             package = f"{name.rpartition('.')[0]}." if node.level else ""
@@ -136,7 +123,9 @@ def read_module(name, text, known):
                       if source in known or f"{source}.{alias.name}" in known}
         else:
             names |= {short: f"{name}.{short}" for short in defined(node)}
-    return Module(name, text, tree, names)
+    nodes = {node.name: node for node in tree.body
+             if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    return Module(name, folder, topic, lab, text, tree, nodes, names)
 
 
 def defined(node):
@@ -147,16 +136,19 @@ def defined(node):
             if isinstance(part, ast.Name)]
 
 
-def read_lecture(topic, asked):
+def read_lecture(topics):
+    asked = {f"reference.{topic}.{exercise.name}": exercise for topic in topics
+             for exercise in exercises.topic_exercises(topic)}
+    asked = dict(sorted(asked.items(), key=lambda item: int(item[1].number.split(".")[1])))
     equations, announced = {}, {}
-    for path in exercises.pages(topic):
+    for path in exercises.pages(topics[0]):
         texts = exercises.cells(path)
         for formula in re.findall(r"\$\$(.*?)\$\$", "\n".join(texts), re.S):
             if tag := re.search(r"\\tag\{(\d+)\}", formula):
                 equations[int(tag[1])] = path.stem, formula.replace(tag[0], "").strip()
         announced = {number: (path.stem, heading) for number, heading
-                     in announcements(texts, asked).items()} | announced
-    return Lecture(exercises.lecture(topic).stem, equations, announced)
+                     in announcements(texts, asked.values()).items()} | announced
+    return Lecture(exercises.lecture(topics[0]).stem, equations, asked, announced)
 
 
 def announcements(texts, asked):
