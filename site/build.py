@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, instructors, labs, lectures, sources, texts_links
+from pages import benchmarks, front, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from course.given.places import ROOT, out, shown_path
@@ -30,11 +30,9 @@ def write_sources(folder, extra, lite):
     """All pages, as Sphinx reads them, and to extra the files beside them."""
     for part in labs, sources:
         part.write(folder)
-    for part in benchmarks, instructors:
-        part.write(folder, extra)
-    for part in lectures, front:
+    benchmarks.write(folder, extra)
+    for part in lectures, front, texts_links:
         part.write(folder, extra, lite)
-    texts_links.write(folder, lite)
 
 
 def bring_in_step(folder, new):

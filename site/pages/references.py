@@ -94,7 +94,7 @@ class Targets:
         self.here = self.page.partition("/")[2].partition("_")[0]
 
     def address(self, page, name):
-        return f"{'' if page == self.page else self.relative(page)}{name and f'#{name}'}"
+        return f"{self.relative(page)}{name and f'#{name}'}"
 
     def function(self, name):
         address = function_page(name, int(self.here[:2]))
@@ -119,8 +119,7 @@ class Targets:
                     yield *(number if kind.endswith("s") else found).span(), address, {}
 
     def lecture(self, number, _):
-        page = self.lectures.get(number.zfill(2), self.page)
-        return "" if page == self.page else self.address(page, "")
+        return self.relative(self.lectures.get(number.zfill(2), self.page))
 
     def section(self, number, lecture):
         page = self.lectures.get(lecture)

@@ -5,7 +5,7 @@ import json
 import re
 
 import pytest
-from pages import benchmarks, instructors, names, texts_links
+from pages import benchmarks, names, texts_links
 from serving import ROOT
 
 from course import exercises
@@ -25,8 +25,7 @@ def written(tmp_path_factory):
     """The folder of all these pages, made of what the repository holds."""
     folder = tmp_path_factory.mktemp("pages")
     benchmarks.write(folder, folder / "extra")
-    instructors.write(folder, folder / "extra")
-    texts_links.write(folder, lite=False)
+    texts_links.write(folder, folder / "extra", lite=False)
     return folder
 
 
