@@ -144,12 +144,9 @@ def definitions(env, page):
         if word not in EVERYDAY or page in leads:
             sentence = SENTENCE.match(" ".join(said.astext().split()))[0]
             found[word[0].lower() + word[1:]] = term["ids"][0], sentence
-    words = "|".join(sorted(map(_either_case, found), key=len, reverse=True))
+    words = "|".join(f"(?i:{word[0]}){re.escape(word[1:])}"
+                     for word in sorted(found, key=len, reverse=True))
     return re.compile(rf"\b({words})(?:s|es)?\b"), found
-
-
-def _either_case(word):
-    return f"[{word[0].upper()}{word[0]}]{re.escape(word[1:])}"
 
 
 def _above(node, kinds):
