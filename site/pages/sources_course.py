@@ -59,13 +59,13 @@ class Course(NamedTuple):
         Of several it is the lab's own. Lab 17's kernels have the names of what they stand for,
         which is meant elsewhere.
         """
-        found = [full for full in self.places.get(name.rpartition(".")[2], ())
-                 if f".{full}".endswith(f".{name}")]
         labs = {full: (self.modules.get(full) or self.modules[full.rpartition(".")[0]]).lab
-                for full in found}
-        near = [full for full in found if labs[full] == lab]
-        other = [full for full in found if labs[full] not in (None, max(self.lectures))]
-        return next((one for one, *more in filter(None, (found, near, other)) if not more), None)
+                for full in self.places.get(name.rpartition(".")[2], ())
+                if f".{full}".endswith(f".{name}")}
+        near = [full for full, its_lab in labs.items() if its_lab == lab]
+        other = [full for full, its_lab in labs.items()
+                 if its_lab not in (None, max(self.lectures))]
+        return next((found[0] for found in ([*labs], near, other) if len(found) == 1), None)
 
     def function(self, full):
         """The node of a function, or None: it is a class, a constant, a module."""

@@ -11,7 +11,7 @@ import textwrap
 
 from pygments import lexers
 
-from .sources_code import highlighted
+from .sources_code import highlighted, listing
 from .sources_course import bound
 
 FENCE = "``````"
@@ -74,10 +74,6 @@ def block(course, module, paragraph, own=(), is_first=False):
         return listing(html.escape(textwrap.dedent(paragraph), quote=False), "table")
     kind = ' class="question"' if is_first else ""
     return f"<p{kind}>{inline(course, module, paragraph, own)}</p>"
-
-
-def listing(text, kind):
-    return f'<div class="highlight {kind}"><pre tabindex="0">{text}\n</pre></div>'
 
 
 @functools.cache
