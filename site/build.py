@@ -65,7 +65,7 @@ def publish(parts, target):
         shutil.rmtree(folder, ignore_errors=True)
     for part in parts:
         shutil.copytree(part, new, dirs_exist_ok=True,
-                        ignore=shutil.ignore_patterns("_sources", ".buildinfo"))
+                        ignore=shutil.ignore_patterns("_sources", ".buildinfo*"))
     if target.exists():
         target.rename(old)
     new.rename(target)

@@ -49,8 +49,7 @@ def page(get, lite):
     numbers = {name: re.search(rf"The {name} is (\d+) exercises, about (\d+) hours",
                                readme).groups() for name in ("spine", "core")}
     return exercises.read(Path(__file__).with_name("front.md")).format(
-        labs=len(exercises.LABS), get=get, lite=LITE if lite else "",
-        film=Image.open(FILM),
+        labs=len(exercises.LABS), get=get, lite=LITE if lite else "", film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
 
 
