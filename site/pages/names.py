@@ -58,12 +58,6 @@ def exercise_pages():
             for name, exercise in sources_course.read().exercises.items()}
 
 
-def document(path):
-    """A file of the course -> what Sphinx makes its page of, as a link names it. None: no page."""
-    page = page_of_file(path)
-    return page and f"/{page}{'.ipynb' if page.startswith('lectures/') else '.md'}"
-
-
 def page_of_file(path):
     """A file of the course, seen from its folder -> the page that shows it, or None."""
     folder, _, name = path.rpartition("/")

@@ -10,7 +10,7 @@ from course.given import image
 from course.given.places import ROOT
 
 from . import picture, put
-from .names import TEXTS, document, function_page
+from .names import TEXTS, function_page, page_of_file
 
 PICTURE = re.compile(r"!\[([^]]*)\]\((\w+\.png)\)")
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
@@ -67,8 +67,11 @@ def with_page_links(text, place):
         if "://" in target or target.startswith(("#", "/")):
             return link[0]
         path, mark, section = target.partition("#")
-        page = document(posixpath.normpath(f"{place}/{path}"))
-        return f"[{label}]({page}{mark}{section})" if page else f"`{label.strip('`')}`"
+        page = page_of_file(posixpath.normpath(f"{place}/{path}"))
+        if not page:
+            return f"`{label.strip('`')}`"
+        ending = ".ipynb" if page.startswith("lectures/") else ".md"
+        return f"[{label}](/{page}{ending}{mark}{section})"
 
     return LINK.sub(page_link, text)
 
