@@ -5,7 +5,7 @@ import json
 import re
 
 import pytest
-from pages import benchmarks, instructors, texts_links
+from pages import benchmarks, names, texts_links
 from serving import ROOT
 
 from course import exercises
@@ -52,10 +52,10 @@ def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
                       html.unescape(text))
         return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
 
-    instructors.write(tmp_path, tmp_path / "extra")
-    for page, source in instructors.TEXTS.items():
+    texts_links.write(tmp_path, tmp_path / "extra", lite=False)
+    for source, page in names.TEXTS.items():
         text = (ROOT / source).read_text("utf-8")
-        assert bare((tmp_path / page).read_text("utf-8")) == bare(text), source
+        assert bare((tmp_path / f"{page}.md").read_text("utf-8")) == bare(text), source
 
 
 # The bibliography

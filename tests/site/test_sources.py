@@ -163,7 +163,7 @@ def test_a_number_without_an_exercise_says_what_is_given_there():
 @pytest.mark.parametrize("lab", LABS)
 def test_a_lab_has_all_its_questions_and_no_answer(lab):
     """An exercise is not on its page, or its answer is."""
-    asked, sections = labs.of_lab(COURSE, lab), 'section[id^="exercise-"]'
+    asked, sections = COURSE.lectures[lab].asked, 'section[id^="exercise-"]'
     shown = {element["id"]: element for element in lab_page(lab).select(sections)}
     assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = soup("labs/index.html").get_text()
@@ -189,7 +189,7 @@ def answer_lines(module, node):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
-    for exercise in labs.of_lab(COURSE, lab).values():
+    for exercise in COURSE.lectures[lab].asked.values():
         anchor = names.anchor(exercise.number)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
         page, _, place = links[0]["href"].removeprefix("../").partition(".html#")
