@@ -1,6 +1,6 @@
 /** Lecture 13: a bunny is the sum of its waves, and a few slow ones are most of its shape. */
 import { canvasOf, paint, silhouette } from "./facets.js";
-import { clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { clamp, fill, html, player, say, Sheet, soon } from "./paper.js";
 
 const FILE = new URL("../../waves/bunny.bin", import.meta.url);
 const WHOLE = 2 ** 15;                    // a wave of length 1 in units of the file
@@ -52,11 +52,10 @@ const placeOf = (along) => [LEFT + along * (RIGHT - LEFT), FLOOR];
 
 export function show(place) {
   let bunny = null, along = START;        // along: where on the spectrum's axis, from 0 to 1
-  const redraw = eachFrame(draw);
   const box = [-1.03, 1.06, -0.88, 0.86];
-  const sum = new Sheet(box, "A bunny as the sum of its first waves", redraw);
-  const one = new Sheet(box, "One wave on the bunny: red below zero, blue above", redraw);
-  const spectrum = new Sheet([0, 10, 0, TOP], "How much of each wave is in the bunny", redraw);
+  const sum = new Sheet(box, "A bunny as the sum of its first waves", draw);
+  const one = new Sheet(box, "One wave on the bunny: red below zero, blue above", draw);
+  const spectrum = new Sheet([0, 10, 0, TOP], "How much of each wave is in the bunny", draw);
   const [sumCanvas, oneCanvas] = [sum, one].map(canvasOf);
   const answer = html("p", { class: "verdict", role: "status" });
   const said = html("p");
@@ -70,7 +69,7 @@ export function show(place) {
   const play = player("Play", () => {
     go(along === 1 ? 0 : Math.min(1, along + 1 / FRAMES));
     return along < 1;
-  });
+  }, draw);
 
   const waveCount = () => Math.round(bunny.count ** along);
 
@@ -78,7 +77,6 @@ export function show(place) {
     along = to;
     handle.set(placeOf(along));
     if (bunny) handle.element.setAttribute("aria-valuetext", `${waveCount()} waves`);
-    redraw();
   }
 
   function draw() {
@@ -144,13 +142,13 @@ export function show(place) {
     Object.assign(bunny, { vertices, strength: strengths(bunny),
       height: Math.max(...y) - Math.min(...y), outline: silhouette(vertices, bunny.faces) });
     go(along);
+    soon(draw);
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the point along the spectrum, or press Play. ",
-      html("span", {}, "The waves up to it, in ", html("b", { class: "orange" }, "orange"),
-        ", are added up. The last of them is painted on the bunny.")),
-    sum.box, one.box, spectrum.box, html("div", { class: "told" }, answer, play.element, said)));
+  fill(place, draw, "Drag the point along the spectrum, or press Play.",
+    'The waves up to it, in <b class="orange">orange</b>, are added up. ' +
+      "The last of them is painted on the bunny.",
+    sum.box, one.box, spectrum.box, html("div", { class: "told" }, answer, play.element, said));
   const near = new IntersectionObserver(([{ isIntersecting }]) => {
     if (!isIntersecting) return;
     near.disconnect();

@@ -10,13 +10,13 @@ export const onStrip = ([x, y]) =>
   PIXELS / 2 + (x - EYE[0]) * (STRIP - EYE[1]) / (y - EYE[1]) / WIDTH;
 
 /** Backward of onStrip -> dL/dpoint. */
-export function onStripBackward(grad, [x, y]) {
+function onStripBackward(grad, [x, y]) {
   const perUnit = grad * (STRIP - EYE[1]) / (y - EYE[1]) / WIDTH;
   return [perUnit, -perUnit * (x - EYE[0]) / (y - EYE[1])];
 }
 
 /** The segment that each pixel's centre sees first, and how far along it: {segment, u}, or null. */
-export function firstHits(vertices, segments) {
+function firstHits(vertices, segments) {
   const hits = Array(PIXELS).fill(null);
   const place = vertices.map(({ p }) => onStrip(p));
   segments.forEach(([from, to], segment) => {

@@ -1,6 +1,9 @@
 /** Lecture 09: the loss over all places of one vertex, sampled and blended. */
 import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
-import { centreOf, clamp, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
+import { isCovered } from "./edge_functions.js";
+import { centres, clamp, fill, html, playAndReset, say, soon } from "./paper.js";
+import { Picture } from "./picture.js";
+import { plus } from "./vectors.js";
 
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
@@ -80,29 +83,20 @@ function paintMap(canvas, isBlended, values, painted) {
 export function show(place) {
   const values = new Float64Array(WIDTH * FINE * HEIGHT * FINE);
   let vertex, path, means, squares, stopMap = () => {};
-  const redraw = eachFrame(draw);
-  const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "A map of the loss for each place of vertex 2 of a triangle", redraw);
-  const canvas = html("canvas", { width: WIDTH * FINE, height: HEIGHT * FINE,
-                                  "aria-hidden": "true" });
-  sheet.box.prepend(canvas);
-  sheet.box.classList.add("light");
+  const sheet = new Picture(WIDTH, HEIGHT,
+    "A map of the loss for each place of vertex 2 of a triangle", draw, FINE);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const handle = sheet.handle({
     name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT], at: START,
-    moved: (to) => {
-      begin(to);
-      redraw();
-    } });
+    moved: begin });
   const blend = html("input", { type: "checkbox", checked: "" });
   blend.addEventListener("change", () => {
     stopMap();
     values.fill(NaN);
-    stopMap = paintMap(canvas, blend.checked, values, redraw);
+    stopMap = paintMap(sheet.canvas, blend.checked, values, () => soon(draw));
     sheet.box.classList.toggle("through", !blend.checked);
     begin(vertex);
-    redraw();
   });
   const buttons = playAndReset(() => {
     const { loss, gradient } = lossAt(vertex, blend.checked);
@@ -113,9 +107,8 @@ export function show(place) {
     vertex = [clamp(vertex[0], 0, WIDTH), clamp(vertex[1], LOWEST, HEIGHT)];
     path.push(vertex);
     handle.set(vertex);
-    draw();
     return true;
-  }, () => begin(START), redraw);
+  }, () => begin(START), draw);
 
   function begin(from) {
     [vertex, path, means, squares] = [from, [from], [0, 0], [0, 0]];
@@ -129,13 +122,11 @@ export function show(place) {
     sheet.draw(
       ["halo", "curve second"].map((style) =>
         border.map((side) => sheet.line(side, style))),
-      covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
-        centreOf(n, WIDTH), 2.2, inside ? "sample point" : "sample")),
-      sheet.line([...GOAL, GOAL[0]], "goal"),
-      sheet.line([...triangle, triangle[0]], "outline found"),
-      sheet.line(path, "curve descent"),
-      length && loss >= FOUND ? sheet.arrow(vertex, vertex.map(
-        (t, k) => t - ARROW * gradient[k] / length), "descent") : []);
+      centres(WIDTH, HEIGHT).map((centre) => sheet.dot(
+        centre, 2.2, isCovered(centre, triangle) ? "sample point" : "sample")),
+      sheet.polygon(GOAL, "goal"), sheet.polygon(triangle, "outline found"),
+      sheet.line(path, "curve descent"), length && loss >= FOUND
+        ? sheet.arrow(vertex, plus(vertex, gradient, -ARROW / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
     say(answer, !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
@@ -152,14 +143,12 @@ export function show(place) {
   }
 
   begin(START);
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag vertex 2, then take the blend away. ",
-      html("span", {}, "The map is the loss for each place of vertex 2: white is low. The ",
-        html("b", { class: "green" }, "green"), " arrow points downhill.")),
+  stopMap = paintMap(sheet.canvas, true, values, () => soon(draw));
+  fill(place, draw, "Drag vertex 2, then take the blend away.",
+    "The map is the loss for each place of vertex 2: white is low. " +
+      'The <b class="green">green</b> arrow points downhill.',
     sheet.box,
     html("div", { class: "told" }, said, answer,
       html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
-      html("div", { class: "row" }, ...buttons))));
-  stopMap = paintMap(canvas, true, values, redraw);
-  draw();
+      html("div", { class: "row" }, ...buttons)));
 }

@@ -1,5 +1,5 @@
 /** What all figures share: a sheet whose y points up, points to move, and what elements.js has. */
-import { clamp, html, number, svg } from "./elements.js";
+import { clamp, html, number, soon, svg } from "./elements.js";
 
 export * from "./elements.js";
 
@@ -15,14 +15,17 @@ const snapped = (point, { step, from = [0, 0], limits }) => point.map((t, k) => 
   from[k] + Math.round((t - from[k]) / step) * step, limits[2 * k], limits[2 * k + 1]));
 
 /** A drawing of x0 ... x1 times y0 ... y1. Its elements are in CSS pixels, so that text and lines
- *  have one size on all screens: draw() is called again when the width changes. */
+ *  have one size on all screens: draw() is called again when the width changes, and when one of
+ *  its handles has moved. Each element has a style, a class of figures.css, and may have css. */
 export class Sheet {
   constructor([x0, x1, y0, y1], label, draw) {
     Object.assign(this, { x0, x1, y0, y1, handles: [] });
     this.svg = svg("svg", { role: "img", "aria-label": label });
     this.box = html("div", { class: "sheet" }, this.svg);
     this.box.style.aspectRatio = (x1 - x0) / (y1 - y0);
-    new ResizeObserver(() => this.box.clientWidth && draw()).observe(this.box); // else hidden
+    this.redraw = () => soon(draw);
+    const isHidden = () => this.box.clientWidth === 0;
+    new ResizeObserver(() => isHidden() || this.redraw()).observe(this.box);
     this.followPointers();
   }
 
@@ -44,19 +47,34 @@ export class Sheet {
     this.svg.replaceChildren(...elements.flat(Infinity));
   }
 
-  rectangle([x, y], width, height, style) {
+  rectangle([x, y], width, height, style, css) {
     const [left, top] = this.place([x, y + height]);
-    return svg("rect", { x: left, y: top, class: style,
+    return svg("rect", { x: left, y: top, class: style, style: css,
                          width: width * this.scale, height: height * this.scale });
   }
 
-  line(points, style) {
-    return svg("polyline", { points: points.map((p) => this.place(p)).join(" "), class: style });
+  line(points, style, css) {
+    return svg("polyline", { points: points.map((p) => this.place(p)).join(" "),
+                             class: style, style: css });
   }
 
-  dot(point, radius, style) {
+  polygon(points, style, css) {
+    return svg("polygon", { points: points.map((p) => this.place(p)).join(" "),
+                            class: style, style: css });
+  }
+
+  /** radius: in CSS pixels. */
+  dot(point, radius, style, css) {
     const [cx, cy] = this.place(point);
-    return svg("circle", { cx, cy, r: radius, class: style });
+    return svg("circle", { cx, cy, r: radius, class: style, style: css });
+  }
+
+  /** What is asked about: reach is in CSS pixels. */
+  cross([x, y], reach = 10) {
+    const far = reach / this.scale;
+    return ["halo", "cross"].flatMap((style) => [
+      this.line([[x - far, y], [x + far, y]], style),
+      this.line([[x, y - far], [x, y + far]], style)]);
   }
 
   arrow(from, to, style) {
@@ -97,6 +115,7 @@ export class Sheet {
     const go = (to) => {
       set(to);
       moved(point, true); // chosen, not only pointed at
+      this.redraw();
     };
     element.addEventListener("keydown", (event) => {
       const direction = KEYS[event.key];
@@ -116,11 +135,16 @@ export class Sheet {
    *  While a mouse hovers, moved() gets the place under it; when it leaves, the chosen place. */
   probe(options) {
     this.chosen = this.handle({ ...options, style: "probe" });
+    const point = (to) => {
+      options.moved(to);
+      this.redraw();
+    };
     this.box.addEventListener("pointermove", (event) => {
-      if (event.pointerType !== "mouse" || event.buttons) return;
-      options.moved(snapped(this.pointOf(event), options));
+      if (event.pointerType === "mouse" && !event.buttons) {
+        point(snapped(this.pointOf(event), options));
+      }
     });
-    this.box.addEventListener("pointerleave", () => options.moved(this.chosen.point()));
+    this.box.addEventListener("pointerleave", () => point(this.chosen.point()));
     return this.chosen;
   }
 
