@@ -90,8 +90,8 @@ export function show(place) {
     "An edge between two pixels; below, their colours after the blend, and as curves", draw);
   sheet.box.classList.add("light");
   const answer = html("p", { class: "verdict", role: "status" });
-  START.forEach((at, k) => sheet.handle({
-    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at,
+  START.forEach((_, k) => sheet.handle({
+    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at: () => ends[k],
     limits: [-0.45, 1.45, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
     moved: (to) => { ends = ends.with(k, to); } }));
 

@@ -2,7 +2,7 @@
 import { EYE, isOutside, onStrip, PIXELS, pull, render, STRIP, WIDTH } from "./carving.js";
 import { fill, html, playAndReset, say, Sheet } from "./paper.js";
 import { marchingTriangles, POINTS } from "./sign_grid.js";
-import { dot, minus, plus } from "./vectors.js";
+import { between, dot, minus, plus } from "./vectors.js";
 
 const RATE = 0.005, MOMENTUM = 0.9, STEPS = 300;
 const TRUTH = [[-0.72, 0.45, 0.4], [0.72, 0.45, 0.4]];         // two discs: x, y, radius
@@ -48,7 +48,7 @@ function verdict(k, target, { coverage, hits, outlines }) {
     : "Nothing: both pictures are empty here.";
 }
 
-const fromEye = (p, times) => plus(EYE, minus(p, EYE), times);
+const fromEye = (p, times) => between(EYE, p, times);
 
 /** A drawing in which a pointer means the ray through it. */
 class Flatland extends Sheet {
@@ -63,15 +63,19 @@ export function show(place) {
   const photograph = render(truth.vertices, truth.segments);
   const target = photograph.coverage, all = [...target.keys()];
   const centre = (k) => EYE[0] + (k + 0.5 - PIXELS / 2) * WIDTH;
-  let pixel = 9, distance, velocity, step;
+  let pixel = 9, chosen = pixel, distance, velocity, step; // pixel: below the mouse, too
   const sheet = new Flatland([-1.31, 1.31, -1.38, 1.02],
     "A camera's rays to a surface in which a skin joins two blobs", draw);
   const said = html("p"), answer = html("p", { class: "verdict" });
   const ended = html("p", { role: "status" });
-  const probe = sheet.probe({
-    name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: [centre(pixel), STRIP],
+  sheet.probe({
+    name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: () => [centre(chosen), STRIP],
+    said: () => `${said.textContent} ${answer.textContent}`,
     limits: [centre(0), centre(PIXELS - 1), STRIP, STRIP],
-    moved: (to) => { pixel = Math.round(onStrip(to) - 0.5); } });
+    moved: (to, isChosen) => {
+      pixel = Math.round(onStrip(to) - 0.5);
+      if (isChosen) chosen = pixel;
+    } });
   const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
@@ -151,12 +155,12 @@ export function show(place) {
     const surface = marchingTriangles(distance);
     const picture = render(surface.vertices, surface.segments);
     const far = Math.min(2.08, sheet.x1 / Math.abs(centre(pixel))); // in the sheet
+    tell(picture);
     sheet.draw(
       scene(surface, picture),
       sheet.line([EYE, picture.hits[pixel]?.at ?? fromEye([centre(pixel), STRIP], far)], "ray"),
       asked(surface, picture), pulled(),
       sheet.rectangle([centre(pixel) - WIDTH / 2, STRIP - HEIGHT], WIDTH, 2 * HEIGHT, "chosen"));
-    tell(picture);
   }
 
   function tell(picture) {
@@ -164,7 +168,6 @@ export function show(place) {
     said.innerHTML = `Pixel ${pixel + 1} is covered ${percent(target[pixel])} in the target, ` +
       `${percent(picture.coverage[pixel])} in what is found.`;
     answer.textContent = verdict(pixel, target, picture);
-    probe.element.setAttribute("aria-valuetext", `${said.textContent} ${answer.textContent}`);
     say(ended, step < STEPS ? ""
       : "The coverage is right everywhere. The depth is not: one camera cannot tell.");
   }

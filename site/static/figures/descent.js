@@ -24,15 +24,16 @@ function verdict(triangle, { gradients, loss }) {
 export function show(place) {
   const target = render(TARGET, WIDTH, HEIGHT).picture;
   let triangle, means, squares, step, losses;
+  begin(START);
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
     "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for", draw);
   const curve = new Sheet([0, STEPS, LOWEST * 14 - 16, HIGHEST * 14],
     "The loss after each step, falling", draw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => sheet.handle({
-    name: `Vertex ${k}`, mark: String(k), step: 0.05, limits: [0, WIDTH, 0, HEIGHT], at,
-    moved: (to) => begin(triangle.with(k, to)) }));
+  START.forEach((_, k) => sheet.handle({
+    name: `Vertex ${k}`, mark: String(k), step: 0.05, limits: [0, WIDTH, 0, HEIGHT],
+    at: () => triangle[k], moved: (to) => begin(triangle.with(k, to)) }));
   const buttons = playAndReset(() => {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     if (step === STEPS || found.loss < 1e-6) return false;
@@ -42,7 +43,6 @@ export function show(place) {
 
   function begin(from) {
     [triangle, means, squares, step, losses] = [from, Array(6).fill(0), Array(6).fill(0), 0, []];
-    triangle.forEach((vertex, k) => handles[k].set(vertex));
   }
 
   function descend(gradients) {
@@ -51,7 +51,6 @@ export function show(place) {
     [x, means, squares] = adamStep(triangle.flat(), gradients.flat(), means, squares, step,
                                    rate(step));
     triangle = [0, 1, 2].map((k) => [clamp(x[2 * k], 0, WIDTH), clamp(x[2 * k + 1], 0, HEIGHT)]);
-    triangle.forEach((vertex, k) => handles[k].set(vertex));
   }
 
   function draw() {
@@ -80,9 +79,8 @@ export function show(place) {
       .map(([style, share]) => sheet.rectangle(corner, 1, 1, style, `fill-opacity: ${share}`));
   }
 
-  begin(START);
   fill(place, draw, "Drag a vertex, or press Play.",
-    '<b class="missing">Blue</b> pixels are missing, <b class="extra">orange</b> ones are too ' +
+    '<b class="blue">Blue</b> pixels are missing, <b class="orange">orange</b> ones are too ' +
       'much. The <b class="green">green</b> arrows are the gradient, turned downhill.',
     sheet.box,
     html("div", { class: "told" }, said, answer, curve.box,

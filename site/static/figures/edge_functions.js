@@ -68,13 +68,12 @@ export function show(place) {
   const answer = html("p", { class: "verdict", role: "status" });
   const shared = html("p");
 
-  const handles = points.map((at, k) => sheet.handle({
+  START.forEach((_, k) => sheet.handle({
     name: k < 3 ? `Vertex ${k}` : "The neighbour's vertex", mark: String(k),
-    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT], at,
-    moved: (to) => { points = points.with(k, to); } }));
+    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT],
+    at: () => points[k], moved: (to) => { points = points.with(k, to); } }));
   const choose = probePixels([sheet], CHOSEN, (to) => { p = to; });
   const reset = button("Reset", () => {
-    START.forEach((point, k) => handles[k].set(point));
     choose(CHOSEN);
     [points, p] = [START, CHOSEN];
   });

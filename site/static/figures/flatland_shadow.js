@@ -116,7 +116,7 @@ export function show(place) {
   const answer = html("p", { class: "verdict", role: "status" });
   world.box.classList.add("cut");
   map.box.classList.add("cut");
-  world.handle({ name: "Light", style: "second", step: 0.05, at: START,
+  world.handle({ name: "Light", style: "second", step: 0.05, at: () => position,
                  limits: [0.3, GROUND - 0.3, 2.6, 4], moved: (to) => { position = to; } });
   const control = slider({ label: "bias", min: 0, max: 1.5, step: 0.01, value: BIAS,
                            changed: (to) => { constant = to; } });
@@ -144,10 +144,11 @@ export function show(place) {
     const bias = (x) => slopeScaledBias(groundSlope(light, x), constant, factor);
     sheet.draw(
       distanceMap.map((d, k) => [
-        sheet.line([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)], `beam ${k % 2 ? "odd" : ""}`),
-        sheet.line([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
-                   "beam bias")]),
-      sheet === world ? world.line(WALL, "wall") : [],
+        sheet.polygon([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)],
+                      `beam ${k % 2 ? "odd" : ""}`),
+        sheet.polygon([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
+                      "beam bias")]),
+      sheet === world ? world.polygon(WALL, "wall") : [],
       runs(samples).map((run) =>
         sheet.line(run.map(({ x, distance }) => at(x, distance)), `ground ${run.at(-1).kind}`)),
       sheet === world ? world.text([BEHIND, TOP], "wall", "", [6, -4]) : named(samples));

@@ -2,7 +2,7 @@
 import { covered, render, renderBackward } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
 import { softSilhouette, softSilhouetteBackward, sweepBackward } from "./outline_gradients.js";
-import { button, clamp, fill, html, number, slider } from "./paper.js";
+import { button, clamp, fill, html, number, say, slider } from "./paper.js";
 import { Picture, toSrgb } from "./picture.js";
 import { pixelCoverage, pixelCoverageBackward } from "./pixel_coverage.js";
 import { dot, minus, plus } from "./vectors.js";
@@ -72,7 +72,7 @@ export function show(place) {
   const why = html("p", { class: "why", role: "status" });
   const pulls = names.map(() => html("b"));
   const buttons = names.map((method, k) => {
-    const element = button(method, () => choose(method));
+    const element = button(method, () => { name = method; });
     element.classList.add(method);
     element.append(pulls[k]);
     return element;
@@ -83,17 +83,8 @@ export function show(place) {
     soft: slider({ label: "σ", min: 0.05, max: 5, step: 0.05, value: 5,
                    changed: (to) => { settings.soft = to; } }) };
   const grid = { style: "ink", step: 0.25, limits: [0, WIDTH, 0, HEIGHT] };
-  const whole = picture.handle({ ...grid, name: "The triangle", at: middleOf(START),
-                                 moved: moveAll });
-  const vertex = picture.handle({ ...grid, name: "Vertex 2", mark: "2", at: START[2],
-                                  moved: moveOne });
-
-  function choose(method) {
-    name = method;
-    names.forEach((other, k) => buttons[k].setAttribute("aria-pressed", other === name));
-    for (const key of Object.keys(sliders)) sliders[key].element.hidden = key !== name;
-    why.textContent = WHY[name];
-  }
+  picture.handle({ ...grid, name: "The triangle", at: () => middleOf(points), moved: moveAll });
+  picture.handle({ ...grid, name: "Vertex 2", mark: "2", at: () => points[2], moved: moveOne });
 
   function moveAll(to) {
     const shift = middleOf(points).map((from, axis) => {
@@ -101,26 +92,23 @@ export function show(place) {
       return clamp(Math.round(4 * (to[axis] - from)) / 4,
                    -Math.min(...along), SIZE[axis] - Math.max(...along));
     });
-    put(points.map((point) => plus(point, shift)));
+    points = points.map((point) => plus(point, shift));
   }
 
   function moveOne(to) {
     const moved = points.with(2, to);
-    put(signedArea(moved) > 2 ? moved : points);
-  }
-
-  function put(moved) {
-    points = moved;
-    whole.set(middleOf(points));
-    vertex.set(points[2]);
+    if (signedArea(moved) > 2) points = moved;
   }
 
   function draw() {
     const found = Object.fromEntries(names.map((method) =>
       [method, gradientBy(method, points, target, settings[method])]));
     names.forEach((method, k) => {
+      buttons[k].setAttribute("aria-pressed", method === name);
       pulls[k].textContent = number(pullTo(GOAL, points, found[method].gradient), 0);
     });
+    for (const key of Object.keys(sliders)) sliders[key].element.hidden = key !== name;
+    say(why, WHY[name]);
     picture.paint((n) => TINT.map((tint) =>
       toSrgb((1 - 0.8 * found[name].picture[n]) * (1 - tint * target[n]))));
     const middle = middleOf(points);
@@ -131,11 +119,10 @@ export function show(place) {
                     `pull all ${method}`)];
     picture.draw(picture.polygon(GOAL, "outline second"),
                  picture.text([20.3, 8.7], "target", "label second"),
-                 picture.polygon(points, "outline own"),
+                 picture.polygon(points, "outline ink"),
                  arrows("truth"), name === "truth" ? [] : arrows(name));
   }
 
-  choose(name);
   fill(place, draw, "Which gradient knows where the target is?",
     "Choose one. Drag the triangle by its middle, or its vertex 2. Black arrows: the truth.",
     picture.box,

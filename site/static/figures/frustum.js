@@ -45,9 +45,9 @@ export function show(place) {
                           "The camera and its frustum, from the side", draw);
   const ndc = new Sheet([-1.2, 1.2, -1.25, 1.15], "The same in ndc, a square", draw);
   const answer = html("p", { class: "wide verdict", role: "status" });
-  scene.handle({ name: "Near plane", mark: "↔", style: "edge", step: 0.05, at: [near, GRIP],
+  scene.handle({ name: "Near plane", mark: "↔", style: "edge", step: 0.05, at: () => [near, GRIP],
                  limits: [0.2, 3.5, GRIP, GRIP], moved: ([to]) => { near = to; } });
-  scene.handle({ name: "Field of view", mark: "↕", step: 0.05, at: [FAR, top],
+  scene.handle({ name: "Field of view", mark: "↕", step: 0.05, at: () => [FAR, top],
                  limits: [FAR, FAR, 0.8, 2.8], moved: ([, to]) => { top = to; } });
 
   function draw() {
@@ -79,7 +79,7 @@ export function show(place) {
   /** In both sheets the same, between the planes: at(distance, y) is where it is there. */
   function seen(sheet, at, half) {
     const t = (d) => top * d / FAR;
-    const piece = (from, to, style) => sheet.line(
+    const piece = (from, to, style) => sheet.polygon(
       [at(from, -t(from)), at(from, t(from)), at(to, t(to)), at(to, -t(to))], style);
     const across = (d, high, style, css) => sheet.line([at(d, -high), at(d, high)], style, css);
     const posts = POSTS.filter((d) => d >= near);

@@ -1,10 +1,11 @@
 /** Lecture 11: pull a vertex of the cage, and Loop's limit surface follows. */
 import { canvasOf, paint } from "./facets.js";
 import { button, fill, html, Sheet } from "./paper.js";
-import { cross, dot, minus } from "./vectors.js";
+import { between, cross, dot, minus } from "./vectors.js";
 
 const STEPS = 3, SHEET = [-1.1, 2.1, -0.92, 1.08];
 const RIM = 0.12;                         // the handle stays whole
+const BRASS = [214, 178, 132], BLUE = [0, 114, 230];
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 const TURN = [[0.86, 0.12, -0.5], [0.1, 0.92, 0.39], [0.5, -0.38, 0.78]];  // rows: right, up, near
 
@@ -100,19 +101,18 @@ export function show(place) {
   const sheet = new Sheet(SHEET,
     "A cage of twenty triangles, and the smooth surface in it", draw);
   const begun = canvasOf(sheet);
-  const handle = sheet.handle({
-    name: "Vertex of the cage", step: 0.1, at: start[held].slice(0, 2),
+  sheet.handle({
+    name: "Vertex of the cage", step: 0.1, at: () => cage[held].slice(0, 2),
     limits: SHEET.map((t, k) => t + (k % 2 ? -RIM : RIM)),
     moved: ([x, y]) => { cage = cage.with(held, [x, y, cage[held][2]]); } });
-  const reset = button("Reset", () => handle.go(start[held].slice(0, 2)));
+  const reset = button("Reset", () => { cage = start; });
   const touched = weights.filter((w) => w > 1e-9).length;
   const strongest = Math.max(...weights);
 
   /** The bluer a face, the more of the held vertex is in it. */
   function colourOf(face) {
-    const share = (face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest)) ** 0.7;
-    return [[214, 0], [178, 114], [132, 230]].map(([brass, blue]) =>
-      brass + share * (blue - brass));
+    const share = face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest);
+    return between(BRASS, BLUE, share ** 0.7);
   }
 
   function draw() {

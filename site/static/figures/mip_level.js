@@ -1,6 +1,7 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
 import { centres, CIRCLE, clamp, fill, html, number, player } from "./paper.js";
 import { coded, Picture, probePixels, swatch, toSrgb } from "./picture.js";
+import { between } from "./vectors.js";
 
 const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
 const SIZE = 128, SQUARE = 16;           // the texture is SIZE x SIZE texels
@@ -10,8 +11,8 @@ const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0
 
 /** Mixtures of light, from DARK to LIGHT, as codes. */
 const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-const SHADES = Uint32Array.from({ length: 257 }, (_, n) => coded(DARK.map((dark, k) =>
-  toSrgb(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
+const SHADES = Uint32Array.from({ length: 257 }, (_, n) =>
+  coded(between(DARK.map(toLight), LIGHT.map(toLight), n / 256).map(toSrgb)));
 const shade = (value) => SHADES[Math.round(256 * value)];
 
 /** Eq. (5): each texel of the next level is the mean of 2 x 2, image[row][column]. */

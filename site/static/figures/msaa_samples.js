@@ -1,11 +1,11 @@
 /** Lecture 04: many samples say which face is seen, and few shades give their colours. */
 import { isCovered } from "./edge_functions.js";
-import { button, centreOf, centres, counted, fill, html, Sheet } from "./paper.js";
+import { button, centreOf, centres, counted, fill, html, say, Sheet } from "./paper.js";
 import { Picture, probePixels, rgb, toSrgb } from "./picture.js";
 import { minus, plus } from "./vectors.js";
 
 const WIDTH = 24, HEIGHT = 14;
-const STEPS = { 1: 1, 4: 3, 16: 4 };     // k of eq. (3) for S samples
+const COUNTS = [1, 4, 16], STEPS = { 1: 1, 4: 3, 16: 4 };  // k of eq. (3) for S samples
 const NEAR = [[5.5, 1.25], [11.5, 1], [21.5, 11.75]];   // its last vertex is to be dragged
 const FAR = [[1.5, 4.5], [22.5, 2.5], [8.5, 13.25]];
 const CHOSEN = [8.5, 3.5];               // a pixel that sees both faces and the background
@@ -75,15 +75,9 @@ export function show(place) {
   pixel.box.classList.add("light", "cut");
   const about = html("p", { class: "about" });
   const tested = html("p", { role: "status" });
-  const choose = (samples) => {
-    count = samples;
-    buttons.forEach((element) =>
-      element.setAttribute("aria-pressed", Number(element.textContent) === count));
-    tested.textContent = `${counted(count * WIDTH * HEIGHT, "sample")} tested for coverage`;
-  };
-  const buttons = [1, 4, 16].map((samples) => button(String(samples), () => choose(samples)));
+  const buttons = COUNTS.map((samples) => button(samples, () => { count = samples; }));
   picture.handle({
-    name: "The near triangle's vertex 2", mark: "2", at: NEAR[2], step: 0.25,
+    name: "The near triangle's vertex 2", mark: "2", at: () => near[2], step: 0.25,
     limits: [0.5, WIDTH - 0.5, 2.5, HEIGHT - 0.5],
     moved: (to) => { near = near.with(2, to); } });
   probePixels([picture], CHOSEN, (to) => { p = to; });
@@ -98,6 +92,8 @@ export function show(place) {
     const n = Math.floor(p[1]) * WIDTH + Math.floor(p[0]);
     picture.paint((k) => resolved[k].map(toSrgb));
     picture.draw(picture.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"));
+    buttons.forEach((one, k) => one.setAttribute("aria-pressed", COUNTS[k] === count));
+    say(tested, `${counted(count * WIDTH * HEIGHT, "sample")} tested for coverage`);
     drawPixel(pattern, faceIndex.map((seen) => seen[n]), resolved[n]);
     drawPrice(shades.length,
               faceIndex.reduce((sum, seen) => sum + seen.filter((face) => face >= 0).length, 0));
@@ -134,7 +130,6 @@ export function show(place) {
                bar(0.3, samples, "by supersampling", "bar many"));
   }
 
-  choose(count);
   fill(place, draw, "Choose 1, 4 or 16 samples. Point at pixels. Drag vertex 2.",
     "The outlines become smooth, and the number of shades hardly grows.",
     html("div", { class: "told" }, picture.box,

@@ -20,10 +20,13 @@ export const toSrgb = (linear) =>
 
 /** The pixel of several pictures of one size: chosen in one, it is chosen in all.
  *  moved(centre, isChosen) is called when another is pointed at. -> set(centre) */
-export function probePixels(sheets, at, moved) {
-  const set = (to) => probes.forEach((probe) => probe.set(to));
-  const probes = sheets.map((sheet) => sheet.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at,
+export function probePixels(sheets, start, moved) {
+  let chosen = start;
+  const set = (to) => {
+    chosen = to;
+  };
+  sheets.forEach((sheet) => sheet.probe({
+    name: "Pixel", step: 1, from: [0.5, 0.5], at: () => chosen,
     limits: [sheet.x0 + 0.5, sheet.x1 - 0.5, sheet.y0 + 0.5, sheet.y1 - 0.5],
     moved: (to, isChosen) => {
       if (isChosen) set(to);

@@ -1,7 +1,7 @@
 /** Lecture 03: the exact coverage of pixels by a triangle, and its gradient.
  *  Pictures are rows of pixels, the lowest first. Triangles are counter-clockwise, on screen. */
 import { centres, clamp } from "./elements.js";
-import { minus, plus } from "./vectors.js";
+import { between, minus, plus } from "./vectors.js";
 
 /** Where the edge from p to q crosses the lines through a pixel's sides: t, from 0 to 1, sorted. */
 const cuts = (p, q, corner) => [0, 1, ...[0, 1].flatMap((k) => [0, 1].map((side) =>
@@ -13,7 +13,7 @@ function clampedArea(triangle, corner) {
   for (let k = 0; k <= 3; k++) {
     const [p, q] = [triangle[k % 3], triangle[(k + 1) % 3]];
     for (const t of k < 3 ? cuts(p, q, corner) : [0]) {
-      const point = minus(plus(p, minus(q, p), t), corner).map((at) => clamp(at, 0, 1));
+      const point = minus(between(p, q, t), corner).map((at) => clamp(at, 0, 1));
       if (last) twice += last[0] * point[1] - point[0] * last[1];
       last = point;
     }
@@ -34,7 +34,7 @@ export function pixelCoverageBackward(gradCoverage, triangle, width) {
       const normal = [q[1] - p[1], p[0] - q[0]];
       cuts(p, q, corner).forEach((t1, m, t) => {
         const t0 = t[m - 1] ?? 0;
-        const middle = minus(plus(p, minus(q, p), (t0 + t1) / 2), corner);
+        const middle = minus(between(p, q, (t0 + t1) / 2), corner);
         if (!middle.every((at) => at >= 0 && at < 1)) return;
         const byQ = gradArea * (t1 * t1 - t0 * t0) / 2, byP = gradArea * (t1 - t0) - byQ;
         grad[k] = plus(grad[k], normal, byP);

@@ -2,7 +2,7 @@
 import { EDGES } from "./edge_functions.js";
 import { button, clamp, fill, html, number } from "./paper.js";
 import { coded, Picture, probePixels, rgb, swatch, toSrgb } from "./picture.js";
-import { cross, dot, minus, plus } from "./vectors.js";
+import { between, cross, dot, minus, plus } from "./vectors.js";
 
 const WIDTH = 16, HEIGHT = 12;
 const START = [[2.5, 2.5], [13, 4], [5.5, 10.5]], CHOSEN = [6.5, 5.5];
@@ -51,12 +51,13 @@ const shown = (light) => swatch(rgb(Array(3).fill(toSrgb(light))), light.toFixed
 
 export function show(place) {
   let triangle, before, last, pixel; // last: the vertex that moves, and has moved from `before`
+  begin(START, CHOSEN);
   const picture = new Picture(WIDTH, HEIGHT,
     "A shaded triangle with lines on it, a framed pixel, and an arrow at each vertex", draw);
   const seen = html("p"), numbers = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => picture.handle({
-    name: `Vertex ${k}`, mark: String(k), style: `pull v${k}`, step: 0.1, at,
+  START.forEach((_, k) => picture.handle({
+    name: `Vertex ${k}`, mark: String(k), style: `pull v${k}`, step: 0.1, at: () => triangle[k],
     limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
     moved: (to) => {
       if (k !== last) [before, last] = [triangle, k];
@@ -66,7 +67,6 @@ export function show(place) {
     if (isChosen) begin(triangle, to);
   });
   const reset = button("Reset", () => {
-    START.forEach((vertex, k) => handles[k].set(vertex));
     choose(CHOSEN);
     begin(START, CHOSEN);
   });
@@ -98,7 +98,7 @@ export function show(place) {
 
   function drawSheet() {
     return EDGES.flatMap(([i, j], k) => LEVELS.map((level) => picture.line([i, j].map((end) =>
-      plus(triangle[end], minus(triangle[k], triangle[end]), level)), `drawn v${k}`)));
+      between(triangle[end], triangle[k], level)), `drawn v${k}`)));
   }
 
   /** Where the triangle was, and the point of the sheet that was under the pixel. */
@@ -150,7 +150,6 @@ export function show(place) {
       `by ${weights[last].toFixed(2)} · ${far.toFixed(2)} = ${(weights[last] * far).toFixed(2)}.`;
   }
 
-  begin(START, CHOSEN);
   fill(place, draw, "Drag a vertex, or choose a pixel.",
     "The sheet goes along, the pixel in the frame stays. Each arrow is the pixel's derivative: " +
       "minus the picture's slope, times the weight of the vertex.",

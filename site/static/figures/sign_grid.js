@@ -54,15 +54,25 @@ export function marchingTriangles(distance) {
   return { vertices, segments };
 }
 
+/** Eq. (9) for all vertices: dL/dp of each -> dL/ds of the grid's points. */
+export function crossingsBackward(gradP, vertices, distance) {
+  const gradient = distance.map(() => 0);
+  vertices.forEach(({ a, b }, n) => {
+    const [gradA, gradB] = zeroCrossingBackward(gradP[n], POINTS[a], POINTS[b],
+                                                distance[a], distance[b]);
+    gradient[a] += gradA;
+    gradient[b] += gradB;
+  });
+  return gradient;
+}
+
 /** The gradient of the area inside, with respect to the outline's vertices. */
 export function areaBackward(vertices, segments) {
   const gradients = vertices.map(() => [0, 0]);
   for (const [i, j] of segments) {
     const [[px, py], [qx, qy]] = [vertices[i].p, vertices[j].p];
-    gradients[i][0] += qy / 2;
-    gradients[i][1] -= qx / 2;
-    gradients[j][0] -= py / 2;
-    gradients[j][1] += px / 2;
+    gradients[i] = plus(gradients[i], [qy / 2, -qx / 2]);
+    gradients[j] = plus(gradients[j], [-py / 2, px / 2]);
   }
   return gradients;
 }
@@ -70,16 +80,9 @@ export function areaBackward(vertices, segments) {
 /** Section 8: the integral of the ring's distance over the inside, back to the grid's numbers. */
 function distanceGradient(distance) {
   const { vertices, segments } = marchingTriangles(distance);
-  const gradient = distance.map(() => 0);
-  areaBackward(vertices, segments).forEach((area, n) => {
-    const { a, b, p } = vertices[n];
-    const push = area.map((g) => g * torus(p, RADIUS, TUBE));
-    const [gradA, gradB] = zeroCrossingBackward(
-      push, POINTS[a], POINTS[b], distance[a], distance[b]);
-    gradient[a] += gradA;
-    gradient[b] += gradB;
-  });
-  return gradient;
+  const gradP = areaBackward(vertices, segments).map((area, n) =>
+    area.map((g) => g * torus(vertices[n].p, RADIUS, TUBE)));
+  return crossingsBackward(gradP, vertices, distance);
 }
 
 /** The groups that links [i, j] make of the numbers below count -> one number of each. */
@@ -102,17 +105,20 @@ export const outlines = ({ vertices, segments }) => groups(vertices.length, segm
 
 export function show(place) {
   const centre = POINTS.length >> 1, across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
-  let distance, step, chosen = POINTS[centre];
+  let distance, step, chosen = POINTS[centre], seen = chosen; // seen: below the mouse, too
   const sheet = new Sheet([-across, across, -up, up],
     "A grid of signs, and the outline that runs between them", draw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const probe = sheet.probe({
-    name: "Grid point", step: SPACING, from: POINTS[0], at: chosen,
+  sheet.probe({
+    name: "Grid point", step: SPACING, from: POINTS[0], at: () => chosen,
     limits: [POINTS[0][0], -POINTS[0][0], POINTS[0][1], -POINTS[0][1]],
-    moved: (to) => { chosen = to; } });
+    moved: (to, isChosen) => {
+      seen = to;
+      if (isChosen) chosen = to;
+    } });
   const flip = button("Flip its sign", () => {
-    const [column, row] = minus(probe.point(), POINTS[0]).map((t) => Math.round(t / SPACING));
+    const [column, row] = minus(chosen, POINTS[0]).map((t) => Math.round(t / SPACING));
     distance[row * COLUMNS + column] *= -1;
   });
   const buttons = playAndReset(() => {
@@ -130,8 +136,7 @@ export function show(place) {
   function draw() {
     const { vertices, segments } = marchingTriangles(distance);
     sheet.draw(
-      sheet.rectangle([chosen[0] - SPACING / 2, chosen[1] - SPACING / 2], SPACING, SPACING,
-                      "chosen"),
+      sheet.rectangle(seen.map((t) => t - SPACING / 2), SPACING, SPACING, "chosen"),
       [-RADIUS, RADIUS].map((x) => sheet.dot([x, 0], TUBE * sheet.scale, "goal")),
       POINTS.map((p, n) => sheet.dot(p, distance[n] < 0 ? 3.4 : 1.8,
                                      distance[n] < 0 ? "sample first" : "sample")),
