@@ -63,7 +63,7 @@ export function show(place) {
   const said = html("p");
   spectrum.handle({
     name: "Number of waves", style: "second", at: () => placeOf(along),
-    said: () => (bunny ? `${waveCount()} waves` : ""),
+    said: () => (bunny ? `${waveCount()} waves` : "no waves yet"),
     from: [LEFT, FLOOR], step: (RIGHT - LEFT) / STEPS, limits: [LEFT, RIGHT, FLOOR, FLOOR],
     moved: ([x]) => {
       play.stop();
