@@ -5,14 +5,14 @@ import { Sheet, html } from "./paper.js";
 export const coded = ([red, green, blue]) =>
   (255 << 24 | 255 * blue << 16 | 255 * green << 8 | 255 * red) >>> 0;
 
-const SRGB_JOIN = 0.0031306684425005758;
-
 /** [red, green, blue] from 0 to 1 -> CSS. */
 export const rgb = (colour) => `rgb(${colour.map((t) => 255 * t).join(" ")})`;
 
 /** A square of a colour, and words. */
 export const swatch = (css, words) =>
   `<span class="swatch"><i style="background: ${css}"></i>${words}</span>`;
+
+const SRGB_JOIN = 0.0031306684425005758;
 
 /** Light -> the number that a screen takes, both 0 to 1. */
 export const toSrgb = (linear) =>
@@ -22,17 +22,14 @@ export const toSrgb = (linear) =>
  *  moved(centre, isChosen) is called when another is pointed at. -> set(centre) */
 export function probePixels(sheets, start, moved) {
   let chosen = start;
-  const set = (to) => {
-    chosen = to;
-  };
   sheets.forEach((sheet) => sheet.probe({
     name: "Pixel", step: 1, from: [0.5, 0.5], at: () => chosen,
     limits: [sheet.x0 + 0.5, sheet.x1 - 0.5, sheet.y0 + 0.5, sheet.y1 - 0.5],
     moved: (to, isChosen) => {
-      if (isChosen) set(to);
+      if (isChosen) chosen = to;
       moved(to, isChosen);
     } }));
-  return set;
+  return (to) => { chosen = to; };
 }
 
 export class Picture extends Sheet {
