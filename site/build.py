@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, instructors, labs, lectures, sources, texts_links
+from pages import benchmarks, front, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from course.given.places import ROOT, out, shown_path
@@ -30,11 +30,9 @@ def write_sources(folder, extra, lite):
     """All pages, as Sphinx reads them, and to extra the files beside them."""
     for part in labs, sources:
         part.write(folder)
-    for part in benchmarks, instructors:
-        part.write(folder, extra)
-    for part in lectures, front:
+    benchmarks.write(folder, extra)
+    for part in lectures, front, texts_links:
         part.write(folder, extra, lite)
-    texts_links.write(folder, lite)
 
 
 def bring_in_step(folder, new):
@@ -53,13 +51,6 @@ def bring_in_step(folder, new):
     return names[0] == names[1]
 
 
-def run_sphinx(folder, target):
-    """-> Sphinx's exit status. A warning is an error: a link that leads nowhere, say."""
-    return build_main(["-b", "html", "-j", "auto", "-q", "--fail-on-warning", "--keep-going",
-                       "-c", str(SITE), "-d", str(target.with_name("doctrees")),
-                       str(folder), str(target)])
-
-
 def publish(parts, target):
     """The files of these folders, together, replace the site."""
     new, old = (target.with_name(f"{target.name}-{age}") for age in ("new", "old"))
@@ -67,7 +58,7 @@ def publish(parts, target):
         shutil.rmtree(folder, ignore_errors=True)
     for part in parts:
         shutil.copytree(part, new, dirs_exist_ok=True,
-                        ignore=shutil.ignore_patterns("_sources", ".buildinfo"))
+                        ignore=shutil.ignore_patterns("_sources", ".buildinfo*"))
     if target.exists():
         target.rename(old)
     new.rename(target)
@@ -86,17 +77,22 @@ def serve():
 
 
 def make(lite):
-    """-> exit status. Unless it is 0, the site is the one before."""
-    pages, new, extra, html = (WORK / name for name in ("pages", "new", "extra", "html"))
+    """-> exit status. Unless it is 0, the site is the one before.
+
+    A warning of Sphinx is an error: a link that leads nowhere, say.
+    """
+    pages, new, extra, html, read = (WORK / name for name in (
+        "pages", "new", "extra", "html", "doctrees"))
     for folder in new, extra:
         shutil.rmtree(folder, ignore_errors=True)
     write_sources(new, extra, lite)
     if not bring_in_step(pages, new):
-        for folder in html, WORK / "doctrees":  # with pages that are no more
+        for folder in html, read:  # with pages that are no more
             shutil.rmtree(folder, ignore_errors=True)
-    status = run_sphinx(pages, html)
+    status = build_main(["-b", "html", "-j", "auto", "-q", "--keep-going", "--fail-on-warning",
+                         "-c", str(SITE), "-d", str(read), str(pages), str(html)])
     if status:  # what Sphinx has read it does not read again, and would say nothing of the fault
-        shutil.rmtree(WORK / "doctrees", ignore_errors=True)
+        shutil.rmtree(read, ignore_errors=True)
         return status
     if lite:
         from pages import lite as jupyter_lite  # needs more packages

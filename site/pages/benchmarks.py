@@ -8,8 +8,7 @@ from benchmarks.measure import text as number
 from course.given.places import ROOT
 
 from . import put
-from .instructors import with_pictures
-from .texts_links import linked
+from .texts_links import linked, with_pictures
 
 SCRIPTS = ROOT / "benchmarks"
 STAGES = ("rasterize", "barycentrics", "interpolate", "antialias", "d antialias", "d interpolate",
@@ -22,7 +21,7 @@ def write(folder, extra):
     files = sorted((SCRIPTS / "results").glob("*.json"))
     for file in files:
         put(extra / "benchmarks" / file.name, file.read_bytes())
-    readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), SCRIPTS, extra)
+    readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), "benchmarks", extra)
     about, *more = readme.partition("\n## ")
     found = {file.stem: json.loads(file.read_text("utf-8")) for file in files}
     put(folder / "benchmarks.md", linked(about + numbers(found) + "".join(more), "benchmarks"))

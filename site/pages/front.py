@@ -1,5 +1,4 @@
 """The front page: its words are in front.md, its numbers in README.md, its pictures in lectures."""
-import html
 import io
 import os
 import re
@@ -9,52 +8,22 @@ from pathlib import Path
 from PIL import Image, ImageOps
 
 from course import exercises
-from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
-from . import picture, put
-from .posters import frame_count, poster
+from . import poster, put
 from .sidebar import trees
 
 STILL_LIFE = "course/given/data/still_life.png"
 SIZE = 920, 690  # of a picture of the gallery, which is shown half as wide
-GALLERY = {  # lecture: the file, the part of it that is shown, its words, and what stands below
-    "01_transforms": (
-        "notebooks/openings/01_transforms.png", (245, 56, 1661, 1078),
-        "a bunny and a ball as nets of edges, a teapot and a ring whose faces are filled",
-        "where each vertex lands on the screen"),
-    "06b_cube_maps": (
-        "notebooks/openings/06b_cube_maps.png", (1020, 160, 1880, 805),
-        "a teapot of polished metal on a floor of checkers, which it reflects",
-        "a teapot that reflects what is around it"),
-    "14_shadow_mapping": (
-        STILL_LIFE, (175, 0, 1375, 900),
-        "a terracotta bunny, a teal teapot, an ochre ball and a brass ring on a tiled floor",
-        "the soft shadows of a window and the sky"),
-    "08_antialiasing": (
-        "notebooks/openings/08_antialiasing.png", (60, 60, 890, 890),
-        "a bunny of large blue pixels fills a red outline",
-        "a gradient pulls an outline to the red one"),
-    "11_subdivision": (
-        "notebooks/openings/11_subdivision.png", (20, 40, 920, 715),
-        "a smooth surface with six arms inside a cage of red lines",
-        "the smooth surface of a cage of thirty quads"),
-    "13_regularization": (
-        "notebooks/openings/13_regularization.png", (1290, 45, 1920, 517),
-        "a bunny with many red and blue spots",
-        "one of the waves that a surface is made of"),
+GALLERY = {  # lecture: the file, and the part of it that is shown
+    "01_transforms": ("notebooks/openings/01_transforms.png", (245, 56, 1661, 1078)),
+    "06b_cube_maps": ("notebooks/openings/06b_cube_maps.png", (1020, 160, 1880, 805)),
+    "14_shadow_mapping": (STILL_LIFE, (175, 0, 1375, 900)),
+    "08_antialiasing": ("notebooks/openings/08_antialiasing.png", (60, 60, 890, 890)),
+    "11_subdivision": ("notebooks/openings/11_subdivision.png", (20, 40, 920, 715)),
+    "13_regularization": ("notebooks/openings/13_regularization.png", (1290, 45, 1920, 517)),
 }
-FILM = """\
-<figure class="animation film" data-file="reconstruction.png" data-frames="{frames}"
- data-autoplay>
-<img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
-<figcaption><span>the target</span> <span>found, with paint and light</span>
-<span>its shape, in white clay</span></figcaption>
-</figure>"""
-FILM_WORDS = ("An animation. Left, a painted bunny. Beside it a grey ball becomes this bunny, "
-              "paint and light included. On the right the same shape in white clay")
-SHOWN = ('<a href="lectures/{lecture}.html">{picture}'
-         "<span><b>Lecture {number}:</b> {below}</span></a>")
+FILM = DATA / "reconstruction.png"
 ZIP = "differentiable-rasterization"
 LITE = " Labs and lectures also run [in the browser](/in_the_browser.md), with nothing to install."
 ORIGIN = re.compile(r"(?:https://(?:[^@/]+@)?|(?:ssh://)?git@)([\w.-]+)[:/](.+?)(?:\.git)?/?")
@@ -62,39 +31,26 @@ ORIGIN = re.compile(r"(?:https://(?:[^@/]+@)?|(?:ssh://)?git@)([\w.-]+)[:/](.+?)
 
 def write(folder, extra, lite):
     """Write folder/index.md, and its files to extra. lite: the labs in the browser are there."""
-    film = read_whole(DATA / "reconstruction.png")
-    put(extra / "reconstruction.png", film)
-    put(extra / "reconstruction_still.png", poster(film))
+    put(extra / FILM.name, read_whole(FILM))
+    put(extra / "reconstruction_still.png", poster(Image.open(FILM)))
     put(extra / "still_life.jpg", smaller(Image.open(ROOT / STILL_LIFE), (1200, 675), "JPEG"))
     archive = git("archive", "--format=zip", f"--prefix={ZIP}/", "HEAD")
     if archive:
         put(extra / f"{ZIP}.zip", archive)
-    put(folder / "index.md", page(gallery(extra / "gallery"), ways(len(archive)), lite) +
-        "".join(trees(lite)))
+    for lecture, (file, part) in GALLERY.items():
+        shown = smaller(Image.open(ROOT / file).crop(part), SIZE, "WEBP")
+        put(extra / "gallery" / f"{lecture}.webp", shown)
+    put(folder / "index.md", page(ways(len(archive)), lite) + "".join(trees(lite)))
 
 
-def page(pictures, get, lite):
+def page(get, lite):
     """The front page's text. ValueError or AttributeError: README.md lacks a number."""
     readme = exercises.read(ROOT / "README.md")
     numbers = {name: re.search(rf"The {name} is (\d+) exercises, about (\d+) hours",
                                readme).groups() for name in ("spine", "core")}
-    width, height = image.size(DATA / "reconstruction.png")
-    frames = frame_count(read_whole(DATA / "reconstruction.png"))
     return exercises.read(Path(__file__).with_name("front.md")).format(
-        labs=len(exercises.LABS), gallery=pictures, get=get, lite=LITE if lite else "",
-        film=FILM.format(words=html.escape(FILM_WORDS), width=width, height=height, frames=frames),
+        labs=len(exercises.LABS), get=get, lite=LITE if lite else "", film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
-
-
-def gallery(folder):
-    """Write its pictures into a folder -> its HTML."""
-    links = []
-    for lecture, (file, part, words, below) in GALLERY.items():
-        put(folder / f"{lecture}.webp", smaller(Image.open(ROOT / file).crop(part), SIZE, "WEBP"))
-        shown = picture(f"gallery/{lecture}.webp", words, *SIZE)
-        number = lecture.partition("_")[0].lstrip("0")
-        links.append(SHOWN.format(lecture=lecture, picture=shown, number=number, below=below))
-    return "\n".join(['<div class="gallery">', *links, "</div>"])
 
 
 def smaller(opened, size, kind):

@@ -17,13 +17,13 @@ LINK = re.compile(r" \(\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)")
 
 
 class Inserts:
-    """All of them, by name, each with its place in one lecture."""
+    """made: {name: HTML} of all of them. Each has its place in one lecture."""
 
     def __init__(self, extra):
         """Write their files to extra."""
-        self.placed = []
+        self.placed = set()
         waves.write(extra)
-        self.made = {**meshes.write(extra), **comparisons.write(extra)}
+        self.made = {**meshes.write(extra), **comparisons.write(extra), **answering()}
 
     def put_in(self, text):
         """A lecture's Markdown with the HTML of what its paragraphs name.
@@ -34,25 +34,21 @@ class Inserts:
 
     def _with_figure(self, paragraph):
         named = LINK.findall(paragraph)
-        return "\n\n".join([LINK.sub("", paragraph), *map(self._html, named)])
-
-    def _html(self, name):
-        self.placed.append(name)
-        if name in self.made:
-            return self.made[name]
-        if not (FIGURES / f"{name}.js").exists():
-            raise ValueError(f"a lecture names the figure {name}, and site/static/figures has "
-                             f"none: it has {', '.join(answering())}")
-        return f'<div class="answers" id="figure-{name}" data-figure="{name}"></div>'
+        self.placed.update(named)
+        if missing := [name for name in named if name not in self.made]:
+            raise ValueError(f"a lecture names the figure {missing[0]}, and site/static/figures "
+                             f"has none: it has {', '.join(answering())}")
+        return "\n\n".join([LINK.sub("", paragraph), *map(self.made.get, named)])
 
     def require_all(self):
         """ValueError: one has no place."""
-        for name in {*self.made, *answering()}.difference(self.placed):
+        for name in self.made.keys() - self.placed:
             raise ValueError(f"no lecture has a place for {name}: let a paragraph of one link to "
                              f"../site/README.md#{name}")
 
 
 def answering():
-    """The names of the figures that answer."""
-    return sorted(path.stem for path in FIGURES.glob("*.js")
-                  if "export function show(" in path.read_text("utf-8"))
+    """{name: HTML} of the figures that answer."""
+    return {path.stem: f'<div class="answers" id="figure-{path.stem}" data-figure="{path.stem}">'
+                       "</div>" for path in sorted(FIGURES.glob("*.js"))
+            if "export function show(" in path.read_text("utf-8")}

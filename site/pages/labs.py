@@ -1,6 +1,5 @@
 """The labs' pages: what each exercise asks, without its answer, and where to read on."""
 import ast
-import functools
 import html
 import itertools
 import re
@@ -12,6 +11,7 @@ from course.given import places
 
 from . import put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points
+from .sources_course import bound
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
@@ -29,26 +29,15 @@ def write(folder):
         put(folder / "labs" / f"{lecture.page}.md", page(course, lab))
 
 
-def of_lab(course, lab):
-    """{full name: Exercise} of a lab, by number."""
-    mine = {name: exercise for name, exercise in course.exercises.items()
-            if exercise.number.split(".")[0] == str(lab)}
-    return dict(sorted(mine.items(), key=lambda item: int(item[1].number.split(".")[1])))
-
-
 def summary(course, lab):
     """What is built in a lab, and how long it takes: README.md knows."""
-    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme(), re.M).groups()
-    found = of_lab(course, lab).values()
+    readme = exercises.read(places.ROOT / "README.md")
+    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme, re.M).groups()
+    found = course.lectures[lab].asked.values()
     core = [exercise for exercise in found if not exercise.is_extra]
     return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
             f"exercises ({points(sum(exercise.points for exercise in core))}) and "
             f"{len(found) - len(core)} extras.\n")
-
-
-@functools.cache
-def readme():
-    return exercises.read(places.ROOT / "README.md")
 
 
 def index(course):
@@ -58,7 +47,7 @@ def index(course):
         items = " ".join(f'<li><a class="{kind(exercise)}" href="{lecture.page}.html'
                          f'#{anchor(exercise.number)}">{exercise.number} '
                          f"<code>{exercise.name}</code></a></li>"
-                         for exercise in of_lab(course, lab).values())
+                         for exercise in lecture.asked.values())
         parts.append(f"## [{lab_title(lab)}](/labs/{lecture.page}.md)\n\n"
                      + summary(course, lab)
                      + as_myst(f'<ul class="exercises">{items}</ul>'))
@@ -67,7 +56,7 @@ def index(course):
 
 def page(course, lab):
     """One lab: its table of exercises, then their questions."""
-    lecture, asked = course.lectures[lab], of_lab(course, lab)
+    lecture, asked = course.lectures[lab], course.lectures[lab].asked
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
     links = " · ".join([f'<a href="../lectures/{lecture.page}.html">Lecture {lab}</a>',
                         *(f'<a href="{course.address(module.name)}">'
@@ -91,11 +80,14 @@ def files(asked):
 
 def overview(course, asked):
     """The table of a lab's exercises, a line each."""
-    rows = [[f'<a href="#{anchor(exercise.number)}">{exercise.number}</a>',
-             f'<a href="#{anchor(exercise.number)}"><code>{exercise.name}</code></a>',
-             str(exercise.points),
-             f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
-             question_line(course, name)] for name, exercise in asked.items()]
+    rows = []
+    for name, exercise in asked.items():
+        module, node = module_and_node(course, name)
+        link, question = f'<a href="#{anchor(exercise.number)}">', ast.get_docstring(node)
+        rows.append([f"{link}{exercise.number}</a>", f"{link}<code>{exercise.name}</code></a>",
+                     str(exercise.points),
+                     f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
+                     inline(course, module, first_sentence(question), {*bound(node)})])
     return table("overview", ["number", "function", "points", "kind", "question"], rows)
 
 
@@ -104,37 +96,29 @@ def gaps(modules, asked):
     numbers = {name: int(exercise.number.split(".")[1]) for name, exercise in asked.items()}
     found = {n: [] for n in range(1, max(numbers.values())) if n not in numbers.values()}
     for module in modules:
-        functions = [f"{module.name}.{name}" for name, node in module.nodes.items()
-                     if isinstance(node, ast.FunctionDef)]
-        first = min((numbers[name] for name in functions if name in numbers), default=0)
-        waiting, last = [], first - 2  # code above the first exercise has the number before it
-        for name in functions:
-            if name not in numbers:
+        waiting, last = [], 0
+        for short, node in module.nodes.items():
+            name = f"{module.name}.{short}"
+            if name in numbers:  # code above the first exercise has the number before it
+                first = last + 1 if last else numbers[name] - 1
+                found |= {n: waiting for n in range(first, numbers[name]) if n in found}
+                waiting, last = [], numbers[name]
+            elif isinstance(node, ast.FunctionDef):
                 waiting.append(name)
-                continue
-            found |= {n: waiting for n in range(last + 1, numbers[name]) if n in found}
-            waiting, last = [], numbers[name]
     return found
 
 
-def given(course, lab, missing):
+def given(course, lab, found):
     """What became of the numbers that no exercise has."""
-    if not missing:
-        return ""
     parts = []
-    for names, numbers in itertools.groupby(missing, key=missing.get):
+    for names, numbers in itertools.groupby(found, key=found.get):
+        marks = ", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
+                          for number in numbers)
         code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
                          "</a>" for name in names)
-        parts.append(", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
-                               for number in numbers) + f" ({code})" * bool(names))
-    return as_myst(f"<p>Numbers without an exercise belong to given code: "
-                   f"{', '.join(parts)}.</p>")
-
-
-def question_line(course, name):
-    module, node = module_and_node(course, name)
-    return inline(course, module, first_sentence(ast.get_docstring(node)),
-                  set(sources_course.bound(node)))
+        parts.append(f"{marks} ({code})" if code else marks)
+    return as_myst("<p>Numbers without an exercise belong to given code: "
+                   f"{', '.join(parts)}.</p>") if parts else ""
 
 
 def module_and_node(course, name):
@@ -158,8 +142,7 @@ def question(course, name):
 def read_on(course, name):
     """Links: where the lecture asks it, its answer, and what the answer calls."""
     exercise, (module, node) = course.exercises[name], module_and_node(course, name)
-    lecture = course.lectures[module.lab]
-    page, heading = lecture.announced.get(exercise.number, (lecture.page, lecture.title))
+    page, heading = course.lectures[module.lab].announced[exercise.number]
     place = f"../lectures/{page}.html#{make_id(heading)}"
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'

@@ -13,8 +13,7 @@ from PIL import Image
 from course.given.places import ROOT, read_whole
 from course.upkeep import hours
 
-from . import inserts, picture, put, sidebar
-from .posters import frame_count, poster
+from . import inserts, picture, poster, put, sidebar
 from .texts_links import with_page_links
 
 NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
@@ -42,7 +41,8 @@ def write(folder, extra, lite):
                 text = linked(added.put_in(cell.source))
                 cell.source = OPENING.sub(pictures.opening, text)
             elif cell.source.startswith(IMPORTS):
-                fold(cell, "What this page imports")
+                cell.metadata.tags = ["hide-input"]
+                cell.metadata.mystnb = {"code_prompt_show": "What this page imports"}
             for output in cell.get("outputs", []):
                 pictures.extract(output)
         notebook.cells.append(nbformat.v4.new_markdown_cell(sidebar.below(path.stem), id="tree"))
@@ -59,12 +59,6 @@ def ways(path, line, lite):
     minutes = 5 * round(sum(hours.sections(path).values()) / 5)
     return "{.ways}\n" + " · ".join([run] * lite + [notebook, rest] +
                                     [f"about {minutes} minutes to read"] * bool(minutes))
-
-
-def fold(cell, words):
-    """Show these words in the place of a cell's code, which they open."""
-    cell.metadata.tags = ["hide-input"]
-    cell.metadata.mystnb = {"code_prompt_show": words}
 
 
 def linked(text):
@@ -105,8 +99,8 @@ class Pictures:
         if getattr(opened, "is_animated", False):
             still, kind = f"{name}_still", (
                 f'class="animation" data-file="pictures/{name}.png" '
-                f'data-frames="{frame_count(content)}"')
-            put(self.folder / f"{still}.png", poster(content))
+                f'data-frames="{opened.n_frames}"')
+            put(self.folder / f"{still}.png", poster(opened))
         shown = picture(f"pictures/{still}.png", words, width, height)
         said = html.escape(words[0].upper() + words[1:].rstrip("."))
         return (f'<figure class="numbered" id="figure-{self.count}"><figure {kind}>{shown}</figure>'

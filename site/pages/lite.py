@@ -15,6 +15,8 @@ from pathlib import Path
 
 from course.given.places import ROOT
 
+from . import put
+
 CONTENTS = (
     "notebooks/*.ipynb", "notebooks/errata.md", "notebooks/openings/*.png", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
@@ -42,7 +44,7 @@ def write(folder):
         collect(contents)
         pack("comm", contents.parent / "pypi")
         for name, content in (("jupyter-lite.json", SETTINGS), ("overrides.json", OVERRIDES)):
-            (contents.parent / name).write_text(json.dumps(content), "utf-8")
+            put(contents.parent / name, json.dumps(content))
         shutil.rmtree(folder, ignore_errors=True)
         extension = Path(sys.prefix) / "share" / "jupyter" / "labextensions" / KERNEL
         built = subprocess.run(
@@ -70,9 +72,7 @@ def collect(folder):
     """Copy what a student needs: lectures, labs, checks, and the complete code."""
     for pattern in CONTENTS:
         for path in ROOT.glob(pattern):
-            copy = folder / path.relative_to(ROOT)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(path, copy)
+            put(folder / path.relative_to(ROOT), path.read_bytes())
     shutil.copy2(GUIDE, folder / "notebooks")
 
 

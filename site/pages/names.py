@@ -6,6 +6,11 @@ from course.given.places import ROOT
 
 from . import sources_course
 
+TEXTS = {  # a text of the repository: its page
+    "course/grading/README.md": "instructors", "notebooks/errata.md": "errata",
+    "course/experiments/folder/README.md": "own_pictures",
+    "course/bridge/README.md": "real_projects"}
+
 
 def lab_page(topic):
     """antialiasing -> labs/08_antialiasing, as its lecture is called."""
@@ -49,14 +54,8 @@ def anchor(number):
 @functools.cache
 def exercise_pages():
     """{number: address} of all exercises and extras."""
-    return {exercise.number: f"{lab_page(topic)}.html#{anchor(exercise.number)}"
-            for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}
-
-
-def document(path):
-    """A file of the course -> what Sphinx makes its page of, as a link names it. None: no page."""
-    page = page_of_file(path)
-    return page and f"/{page}{'.ipynb' if page.startswith('lectures/') else '.md'}"
+    return {exercise.number: f"{lab_page(name.split('.')[1])}.html#{anchor(exercise.number)}"
+            for name, exercise in sources_course.read().exercises.items()}
 
 
 def page_of_file(path):
@@ -71,6 +70,4 @@ def page_of_file(path):
         return lab_page(stem)
     if folder in ("reference", "course/given") and (ROOT / path).exists() and ending == "py":
         return f"{folder.rpartition('/')[2]}/{stem}"
-    return {"notebooks/errata.md": "errata", "benchmarks/README.md": "benchmarks",
-            "course/grading/README.md": "instructors", "course/bridge/README.md": "real_projects",
-            "course/experiments/folder/README.md": "own_pictures"}.get(path)
+    return "benchmarks" if path == "benchmarks/README.md" else TEXTS.get(path)

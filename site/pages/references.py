@@ -6,13 +6,12 @@ that goes on from it, 14 and 14b, number their equations together. What has no t
 """
 import functools
 import re
-from pathlib import Path
 
 from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from .formulas import TAG
+from . import sources_course
 from .names import exercise_pages, function_page
 
 NUMBER = re.compile(r"\d+b?")
@@ -40,10 +39,14 @@ class References(SphinxPostTransform):
     formats = ("html",)
 
     def run(self):
-        if not self.env.docname.startswith("lectures/"):
+        page = self.env.docname
+        if not page.startswith("lectures/"):
             return
-        self.targets = Targets(self.env, self.app.builder)
-        self.defined, self.seen = definitions(self.env, self.env.docname), set()
+        self.relative = functools.partial(self.app.builder.get_relative_uri, page)
+        self.lectures = {page.partition("/")[2].partition("_")[0]: page
+                         for page in self.env.found_docs if page.startswith("lectures/")}
+        self.here = page.partition("/")[2].partition("_")[0]
+        self.defined, self.seen = definitions(self.env, page), set()
         for paragraph in self.document.findall(nodes.paragraph):
             self.link(paragraph)
 
@@ -58,17 +61,17 @@ class References(SphinxPostTransform):
                 continue
             bold = isinstance(node.parent, nodes.strong | nodes.emphasis)
             announced = announced or (bold and ANNOUNCED.match(node))
-            found = [*self.targets.places(node, isinstance(section.parent, nodes.document)),
-                     *(self.targets.exercises(node) if announced else ()),
-                     *self.words(node, section)]
+            found = [*self.places(node, isinstance(section.parent, nodes.document)),
+                     *(exercises(node) if announced else ()), *self.words(node, section)]
             _replace(node, found)
 
     def link_function(self, literal, section):
         """The first `crossing` of a section leads to its place in the source."""
-        address = self.targets.function(literal.astext())
+        address = function_page(literal.astext(), int(self.here[:2]))
         if address and (section, address) not in self.seen:
             self.seen.add((section, address))
-            literal.replace_self(_reference(literal.deepcopy(), address, classes=["function"]))
+            literal.replace_self(_reference(literal.deepcopy(), f"../{address}",
+                                            classes=["function"]))
 
     def words(self, text, section):
         """The first use of each word of the glossary. The sources have words of their own."""
@@ -80,31 +83,8 @@ class References(SphinxPostTransform):
             if word not in self.seen:
                 self.seen.add(word)
                 name, sentence = defined[word]
-                yield (*found.span(), self.targets.address("glossary", name),
+                yield (*found.span(), self.address("glossary", name),
                        {"classes": ["term"], "reftitle": sentence})
-
-
-class Targets:
-    """Where on the site is what a page names: addresses, as this page links to them."""
-
-    def __init__(self, env, builder):
-        self.env, self.page = env, env.docname
-        self.relative = functools.partial(builder.get_relative_uri, self.page)
-        self.lectures = {page.partition("/")[2].partition("_")[0]: page
-                         for page in env.found_docs if page.startswith("lectures/")}
-        self.here = self.page.partition("/")[2].partition("_")[0]
-
-    def address(self, page, name):
-        return f"{'' if page == self.page else self.relative(page)}{name and f'#{name}'}"
-
-    def function(self, name):
-        address = function_page(name, int(self.here[:2]))
-        return address and f"../{address}"
-
-    def exercises(self, text):
-        for found in EXERCISE.finditer(text):
-            if address := exercise_pages().get(found[0]):
-                yield *found.span(), f"../{address}", {}
 
     def places(self, text, is_introduction):
         """(start, end, address, {}) of each equation, section and lecture that a text names."""
@@ -114,33 +94,35 @@ class Targets:
             lecture = named[1].zfill(2) if named else self.here
             for number in NUMBER.finditer(text, *found.span(kind)):
                 address = getattr(self, kind.rstrip("s"))(number[0], lecture)
-                if is_introduction and kind == "equation" and address.startswith("#"):
-                    continue  # it is not stated yet: "clip space (1)" is a lab
-                if address:
+                # An introduction states no equation: in it, "clip space (1)" is a lab.
+                if address and not (is_introduction and address.startswith("#equation")):
                     yield *(number if kind.endswith("s") else found).span(), address, {}
 
     def lecture(self, number, _):
-        page = self.lectures.get(number.zfill(2), self.page)
-        return "" if page == self.page else self.address(page, "")
+        page = self.lectures.get(number.zfill(2))
+        return page and self.relative(page)
 
     def section(self, number, lecture):
         page = self.lectures.get(lecture)
-        for slug, (_, _, title) in self.env.metadata[page].get("myst_slugs", {}).items():
-            if title.startswith(f"{number}. "):
-                return self.address(page, slug)
-        return ""
+        slugs = self.env.metadata[page].get("myst_slugs", {})
+        return next((self.address(page, slug) for slug, (_, _, title) in slugs.items()
+                     if title.startswith(f"{number}. ")), None)
 
     def equation(self, number, lecture):
-        page = equations(self.env.srcdir).get((lecture[:2], number))
-        return self.address(page, f"equation-{number}") if page else ""
+        lectures = sources_course.read().lectures
+        known = lectures[int(lecture[:2])].equations if int(lecture[:2]) in lectures else {}
+        page, _ = known.get(int(number), (None, None))
+        return page and self.address(f"lectures/{page}", f"equation-{number}")
+
+    def address(self, page, place):
+        return f"{self.relative(page)}#{place}"
 
 
-@functools.cache
-def equations(folder):
-    """{(number of the lecture, number of the equation): page}."""
-    return {(path.stem[:2], number): f"lectures/{path.stem}"
-            for path in Path(folder).glob("lectures/*.ipynb")
-            for number in TAG.findall(path.read_text("utf-8"))}
+def exercises(text):
+    """(start, end, address, {}) of each exercise that a text names."""
+    for found in EXERCISE.finditer(text):
+        if address := exercise_pages().get(found[0]):
+            yield *found.span(), f"../{address}", {}
 
 
 def definitions(env, page):
@@ -153,12 +135,9 @@ def definitions(env, page):
         if word not in EVERYDAY or page in leads:
             sentence = SENTENCE.match(" ".join(said.astext().split()))[0]
             found[word[0].lower() + word[1:]] = term["ids"][0], sentence
-    words = "|".join(sorted(map(_either_case, found), key=len, reverse=True))
+    words = "|".join(f"(?i:{word[0]}){re.escape(word[1:])}"
+                     for word in sorted(found, key=len, reverse=True))
     return re.compile(rf"\b({words})(?:s|es)?\b"), found
-
-
-def _either_case(word):
-    return f"[{word[0].upper()}{word[0]}]{re.escape(word[1:])}"
 
 
 def _above(node, kinds):

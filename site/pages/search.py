@@ -12,9 +12,7 @@ import re
 from docutils import nodes
 from sphinx import addnodes
 
-from course import exercises
-
-from . import put
+from . import put, sources_course
 
 SKIPPED = (nodes.literal_block, nodes.math, nodes.math_block, nodes.image, nodes.comment,
            nodes.title, nodes.term, addnodes.index, addnodes.toctree, addnodes.desc_signature)
@@ -50,27 +48,17 @@ def records(name, page):
     """A page -> [address, title, place, text] of each of its parts. Code and formulas stay out."""
     parts = []
     gather(page, parts)
-    if not parts:
-        return
-    folder, _, topic = name.rpartition("/")
+    folder, asked = name.rpartition("/")[0], sources_course.read().exercises
     head = page_title(name, parts[0][1])
     yield [f"{name}.html", head, KINDS.get(folder, "Page"), shown(parts[0][2])]
-    known = asked(topic) if folder == "reference" else ()
     place = f"{name}.py" if folder in ("reference", "given") else head.partition(":")[0]
     if name == "labs/index":  # its sections are pages
         return
     for anchor, title, words in parts[1:]:
         if anchor.startswith("exercise-"):
             title = f"Exercise {title}"
-        if title not in known:
+        if anchor not in asked:  # it is found on its lab's page
             yield [f"{name}.html#{anchor}", title, place, shown(words)]
-
-
-def asked(topic):
-    """The functions of a module whose docstrings are on the lab's page: they are found there."""
-    if topic not in exercises.TOPICS:
-        return ()
-    return {exercise.name for exercise in exercises.topic_exercises(topic)}
 
 
 def shown(words):
@@ -83,7 +71,7 @@ def page_title(name, title):
     if not name.startswith("lectures/"):
         return title
     number, _, words = title.partition(" ")
-    return f"Lecture {number[0].strip('0')}{number[1:]}. {words}"
+    return f"Lecture {number.removeprefix('0')}. {words}"
 
 
 def gather(node, parts):

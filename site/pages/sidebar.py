@@ -16,11 +16,9 @@ TREE = """
 {pages}
 ```
 """
-MORE = {
-    "The whole": ["All exercises </labs/index>", "/reference/index", "/given/index", "/benchmarks",
-                  "/glossary", "/bibliography", "/errata"],
-    "Further": ["/own_pictures", "/real_projects", "/instructors"],
-}
+WHOLE = ["All exercises </labs/index>", "/reference/index", "/given/index", "/benchmarks",
+         "/glossary", "/bibliography", "/errata"]
+FURTHER = ["/own_pictures", "/real_projects", "/instructors"]
 HEADING = re.compile(r'"# 0?(\d+b?) ([^:"\\]+)')
 
 
@@ -32,9 +30,8 @@ def setup(app):
 def trees(lite):
     """What stands in the margin of every page. lite: the labs in the browser are there."""
     topics = [entry(path.stem) for path in lectures() if not is_sequel(path.stem)]
-    groups = {"Lectures, labs, code": topics, **MORE}
-    if lite:
-        groups["Further"] = [*groups["Further"], "/in_the_browser"]
+    groups = {"Lectures, labs, code": topics, "The whole": WHOLE,
+              "Further": FURTHER + ["/in_the_browser"] * lite}
     for caption, pages in groups.items():
         yield TREE.format(caption=f":caption: {caption}\n", pages="\n".join(pages))
 

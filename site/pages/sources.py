@@ -7,7 +7,7 @@ import ast
 
 from . import put, sources_course
 from .names import exercise_pages, kind, lab_title, mark
-from .sources_code import blocks, docstring_lines, html_lines, listing
+from .sources_code import blocks, html_lines, numbered
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = {
@@ -34,17 +34,12 @@ def index(course, name, modules):
     title, about = ABOUT[name]
     rows = [[f'<a href="{module.topic}.html"><code>{module.topic}</code></a>',
              inline(course, module, first_sentence(ast.get_docstring(module.tree))),
-             *lab_link(course, module)] for module in modules]
+             *([f'<a href="../labs/{course.lectures[module.lab].page}.html">{module.lab}</a>']
+               if module.lab else [])] for module in modules]
     head = ["module", "what it is", "lab"][:len(rows[0])]
     alone = "\n".join(module.topic for module in modules if not module.lab)  # of no lecture
     tree = f"```{{toctree}}\n:hidden:\n\n{alone}\n```"
     return f"# {title}\n\n{about}\n{table('modules', head, rows)}\n{tree}\n"
-
-
-def lab_link(course, module):
-    if module.lab:
-        page = course.lectures[module.lab].page
-        yield f'<a href="../labs/{page}.html">{module.lab}</a>'
 
 
 def page(course, module):
@@ -57,16 +52,15 @@ def page(course, module):
         if block.kind == "section":
             parts.append(section(module, block))
         elif block.kind == "code":
-            parts.append(constants(block, listing(lines, block.first, block.last)))
+            parts.append(constants(block, numbered(lines, block.first, block.last)))
         else:
             parts.append(definition(course, module, lines, block))
     return "\n".join(parts)
 
 
-def directive(kind, name, content="", options=()):
+def directive(kind, name, content=""):
     """A directive of Sphinx's Python domain, whose content may hold others."""
-    lines = "".join(f":{option}:\n" for option in options)
-    return f":::::{{py:{kind}}} {name}\n{lines}\n{content}\n:::::\n"
+    return f":::::{{py:{kind}}} {name}\n{content}\n:::::\n"
 
 
 def links(course, module):
@@ -100,14 +94,16 @@ def section(module, block):
 def constants(block, code):
     """Imports and constants. These have their places in the index, which a container keeps."""
     names = [name for node in block.nodes for name in sources_course.defined(node)]
-    return "\n".join([*(directive("data", name, options=("no-typesetting",)) for name in names),
+    return "\n".join([*(directive("data", name, ":no-typesetting:") for name in names),
                       f"::::{{container}} constants\n{as_myst(code)}::::\n"])
 
 
 def definition(course, module, lines, block):
     """A function or a class: what its docstring says, and its code beside it."""
     node, = block.nodes
-    code = listing(lines, block.first, block.last, docstring_lines(node))
+    question = node.body[0] if ast.get_docstring(node) else None
+    hidden = range(question.lineno, question.end_lineno + 1) if question else ()
+    code = numbered(lines, block.first, block.last, hidden)
     return directive(*signature(node), "".join([
         as_myst('<div class="beside"><div class="said">'),
         badge(course.exercises.get(f"{module.name}.{node.name}")),

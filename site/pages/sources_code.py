@@ -50,21 +50,17 @@ def block_of(node, lines):
     return Block(first, node.end_lineno, "code" if is_code else "definition", (node,))
 
 
-def docstring_lines(node):
-    """The lines of a function's docstring, as a range."""
-    if not ast.get_docstring(node):
-        return range(0)
-    return range(node.body[0].lineno, node.body[0].end_lineno + 1)
-
-
-def listing(lines, first, last, hidden=()):
+def numbered(lines, first, last, hidden=()):
     """lines: all lines of the file, as HTML. -> those from first to last, without the hidden."""
     shown = [n for n in range(first, last + 1) if n not in hidden]
-    while not lines[shown[-1] - 1].strip():
-        shown.pop()
     rows = [f'<a class="linenos" id="line-{n}" href="#line-{n}" tabindex="-1">{n}</a>'
             + lines[n - 1] for n in shown]
-    return '<div class="highlight code"><pre tabindex="0">' + "\n".join(rows) + "\n</pre></div>"
+    return listing("\n".join(rows), "code")
+
+
+def listing(text, kind):
+    """HTML that keeps its lines."""
+    return f'<div class="highlight {kind}"><pre tabindex="0">{text}\n</pre></div>'
 
 
 def html_lines(course, module):

@@ -12,44 +12,31 @@ from course.given import places
 
 
 class Module(NamedTuple):
-    """A module of reference/ or course/given/.
+    """A module of reference/ or course/given/: its name as it is imported, its folder, its topic,
+    its lab or None, its text, and of what is in it
 
-    name: as it is imported. names: {name in the module: full name} of what it defines and imports.
+    nodes: {name: node} of its functions and classes
+    names: {name in the module: full name} of what it defines and imports.
     """
 
     name: str
+    folder: str
+    topic: str
+    lab: int | None
     text: str
     tree: ast.Module
+    nodes: dict
     names: dict
-
-    @property
-    def folder(self):
-        return self.name.split(".")[-2]
-
-    @property
-    def topic(self):
-        return self.name.split(".")[-1]
-
-    @property
-    def nodes(self):
-        """{name: node} of its functions and classes."""
-        return {node.name: node for node in self.tree.body
-                if isinstance(node, ast.FunctionDef | ast.ClassDef)}
-
-    @property
-    def lab(self):
-        known = self.folder == "reference" and self.topic in exercises.TOPICS
-        return exercises.lab_number(self.topic) if known else None
 
 
 class Lecture(NamedTuple):
-    """A lecture and the pages after it: its page's name, its title, {number: page and LaTeX} of
-    equations, {exercise's number: page and heading}.
+    """A lecture and the pages after it: its page's name, {number: page and LaTeX} of equations,
+    {full name: Exercise} of its lab by number, {exercise's number: page and heading}.
     """
 
     page: str
-    title: str
     equations: dict
+    asked: dict
     announced: dict
 
 
@@ -72,13 +59,13 @@ class Course(NamedTuple):
         Of several it is the lab's own. Lab 17's kernels have the names of what they stand for,
         which is meant elsewhere.
         """
-        found = [full for full in self.places.get(name.rpartition(".")[2], ())
-                 if f".{full}".endswith(f".{name}")]
         labs = {full: (self.modules.get(full) or self.modules[full.rpartition(".")[0]]).lab
-                for full in found}
-        near = [full for full in found if labs[full] == lab]
-        other = [full for full in found if labs[full] not in (None, max(self.lectures))]
-        return next((one for one, *more in filter(None, (found, near, other)) if not more), None)
+                for full in self.places.get(name.rpartition(".")[2], ())
+                if f".{full}".endswith(f".{name}")}
+        near = [full for full, its_lab in labs.items() if its_lab == lab]
+        other = [full for full, its_lab in labs.items()
+                 if its_lab not in (None, max(self.lectures))]
+        return next((found[0] for found in ([*labs], near, other) if len(found) == 1), None)
 
     def function(self, full):
         """The node of a function, or None: it is a class, a constant, a module."""
@@ -87,9 +74,8 @@ class Course(NamedTuple):
         return node if isinstance(node, ast.FunctionDef) else None
 
     def equations(self, module):
-        """{number: LaTeX} of the lecture whose numbers a module uses."""
-        known = self.lectures[module.lab].equations if module.lab else {}
-        return {number: latex for number, (_, latex) in known.items()}
+        """{number: page and LaTeX} of the lecture whose numbers a module uses."""
+        return self.lectures[module.lab].equations if module.lab else {}
 
     def address(self, name):
         """Where a module, or a function, class or constant of one, has its place on the site."""
@@ -97,10 +83,6 @@ class Course(NamedTuple):
             module = self.modules[name]
             return f"../{module.folder}/{module.topic}.html"
         return f"{self.address(name.rpartition('.')[0])}#{name}"
-
-    def equation_address(self, module, number):
-        page, _ = self.lectures[module.lab].equations[number]
-        return f"../lectures/{page}.html#equation-{number}"
 
 
 @functools.cache
@@ -111,13 +93,9 @@ def read():
     texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
              for path in paths}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
-    for module in modules.values():
-        module.names.update({short: origin(modules, full) for short, full in module.names.items()})
-    asked = {f"reference.{topic}.{exercise.name}": exercise for topic in exercises.TOPICS
-             for exercise in exercises.topic_exercises(topic)}
-    lectures = {lab: read_lecture(topics[0], [exercise for exercise in asked.values()
-                                              if exercise.number.split(".")[0] == str(lab)])
-                for lab, topics in enumerate(exercises.LABS, 1)}
+    lectures = {lab: read_lecture(topics) for lab, topics in enumerate(exercises.LABS, 1)}
+    asked = {name: exercise for lecture in lectures.values()
+             for name, exercise in lecture.asked.items()}
     used = {name: uses(modules, module) for name, module in modules.items()}
     return Course(modules, lectures, asked, used, places_of(modules))
 
@@ -134,49 +112,43 @@ def places_of(modules):
 
 def read_module(name, text, known):
     """known: the full names of all modules."""
-    tree = ast.parse(text)
-    names = {}
+    folder, topic = name.split(".")[-2:]
+    lab = exercises.lab_number(topic) if folder == "reference" and topic != "tiny" else None
+    tree, names = ast.parse(text), {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom):
-            source = ".".join([name.rpartition(".")[0], node.module or ""][not node.level:])
-            found = {alias.asname or alias.name: f"{source.strip('.')}.{alias.name}"
-                     for alias in node.names}
-            names |= {short: full for short, full in found.items()
-                      if full in known or full.rpartition(".")[0] in known}
+            package = f"{name.rpartition('.')[0]}." if node.level else ""
+            source = f"{package}{node.module or ''}".rstrip(".")
+            names |= {alias.name: f"{source}.{alias.name}" for alias in node.names
+                      if source in known or f"{source}.{alias.name}" in known}
         else:
             names |= {short: f"{name}.{short}" for short in defined(node)}
-    return Module(name, text, tree, names)
-
-
-def origin(modules, full):
-    """The full name where a name is defined, which a module may have imported itself."""
-    module, _, name = full.rpartition(".")
-    here = modules[module].names.get(name, full) if module in modules else full
-    return full if here == full else origin(modules, here)
+    nodes = {node.name: node for node in tree.body
+             if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    return Module(name, folder, topic, lab, text, tree, nodes, names)
 
 
 def defined(node):
     """The names that a statement of a module defines: a function, a class, constants."""
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return [node.name]
-    if not isinstance(node, ast.Assign):
-        return []
-    return [part.id for target in node.targets for part in ast.walk(target)
+    return [part.id for target in getattr(node, "targets", ()) for part in ast.walk(target)
             if isinstance(part, ast.Name)]
 
 
-def read_lecture(topic, asked):
+def read_lecture(topics):
+    asked = {f"reference.{topic}.{exercise.name}": exercise for topic in topics
+             for exercise in exercises.topic_exercises(topic)}
+    asked = dict(sorted(asked.items(), key=lambda item: int(item[1].number.split(".")[1])))
     equations, announced = {}, {}
-    for path in exercises.pages(topic):
+    for path in exercises.pages(topics[0]):
         texts = exercises.cells(path)
         for formula in re.findall(r"\$\$(.*?)\$\$", "\n".join(texts), re.S):
             if tag := re.search(r"\\tag\{(\d+)\}", formula):
                 equations[int(tag[1])] = path.stem, formula.replace(tag[0], "").strip()
         announced = {number: (path.stem, heading) for number, heading
-                     in announcements(texts, asked).items()} | announced
-    path = exercises.lecture(topic)
-    title = re.search(r"^# (.*)", exercises.cells(path)[0], re.M)[1]
-    return Lecture(path.stem, title, equations, announced)
+                     in announcements(texts, asked.values()).items()} | announced
+    return Lecture(exercises.lecture(topics[0]).stem, equations, asked, announced)
 
 
 def announcements(texts, asked):

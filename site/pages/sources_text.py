@@ -11,7 +11,7 @@ import textwrap
 
 from pygments import lexers
 
-from .sources_code import highlighted
+from .sources_code import highlighted, listing
 from .sources_course import bound
 
 FENCE = "``````"
@@ -28,24 +28,22 @@ def docstring(course, module, node):
     A module's equations are typeset below its table of them, which is folded where this says all.
     A function's are typeset below what names them.
     """
-    is_module, parts, seen, is_folded = isinstance(node, ast.Module), [], set(), False
+    is_module, known = isinstance(node, ast.Module), course.equations(module)
     own = set() if is_module else set(bound(node))
+    parts, seen, end = [], set(), ""
     for rank, paragraph in enumerate(paragraphs(ast.get_docstring(node))):
         if paragraph.startswith("Fine print."):
-            parts.append('<details class="fine-print"><summary>Fine print.</summary>')
-            paragraph, is_folded = paragraph.removeprefix("Fine print.").strip(), True
+            parts.append(as_myst('<details class="fine-print"><summary>Fine print.</summary>'))
+            paragraph, end = paragraph.removeprefix("Fine print.").strip(), as_myst("</details>")
         shown = block(course, module, paragraph, own, is_first=rank == 0)
-        if is_module and is_typeset(paragraph, course.equations(module)):
+        if is_module and is_typeset(paragraph, known):
             shown = f'<details class="as-typed"><summary>As typed</summary>{shown}</details>'
-        parts.append(shown)
+        parts.append(as_myst(shown))
         if is_module == is_table(paragraph):
-            new = named_equations(paragraph) & set(course.equations(module)) - seen
-            seen |= new
-            for number in sorted(new):
-                parts += equation(course, module, number)
-    if is_folded:
-        parts.append("</details>")
-    return "".join(map(as_myst, parts))
+            for number in sorted(named_equations(paragraph) & known.keys() - seen):
+                seen.add(number)
+                parts.append(equation(number, *known[number]))
+    return "".join([*parts, end])
 
 
 def is_table(paragraph):
@@ -63,10 +61,9 @@ def paragraphs(text):
     return re.split(r"\n\s*\n", text.strip()) if text else []
 
 
-def as_myst(part):
-    """HTML as MyST. What is MyST already, a tuple's name and content, is a directive."""
-    name, content = part if isinstance(part, tuple) else ("{raw} html", part)
-    return f"\n{FENCE}{name}\n{content}\n{FENCE}\n"
+def as_myst(content, directive="{raw} html"):
+    """HTML, or the content of another directive, as MyST."""
+    return f"\n{FENCE}{directive}\n{content}\n{FENCE}\n"
 
 
 def block(course, module, paragraph, own=(), is_first=False):
@@ -77,10 +74,6 @@ def block(course, module, paragraph, own=(), is_first=False):
         return listing(html.escape(textwrap.dedent(paragraph), quote=False), "table")
     kind = ' class="question"' if is_first else ""
     return f"<p{kind}>{inline(course, module, paragraph, own)}</p>"
-
-
-def listing(text, kind):
-    return f'<div class="highlight {kind}"><pre tabindex="0">{text}\n</pre></div>'
 
 
 @functools.cache
@@ -99,12 +92,16 @@ def named_equations(text):
     return {int(number) for number in re.findall(EQUATION, text)}.union(*ranges)
 
 
-def equation(course, module, number):
-    """An equation of the module's lecture, typeset, and its number as a link to it."""
-    link = course.equation_address(module, number)
-    return ['<div class="equation">', ("{math}", course.equations(module)[number]),
-            f'<a class="number" href="{link}" title="Equation {number} in its lecture">'
-            f"({number})</a></div>"]
+def equation(number, page, latex):
+    """An equation of a lecture's page, typeset, and its number as a link to it."""
+    link = (f'<a class="number" href="{equation_address(page, number)}" '
+            f'title="Equation {number} in its lecture">({number})</a>')
+    return (as_myst('<div class="equation">') + as_myst(latex, "{math}")
+            + as_myst(f"{link}</div>"))
+
+
+def equation_address(page, number):
+    return f"../lectures/{page}.html#equation-{number}"
 
 
 def inline(course, module, text, own=()):
@@ -121,22 +118,17 @@ def inline(course, module, text, own=()):
 
 def address(course, module, match, own):
     """Where what a match of INLINE names has its place, or None."""
-    if match["code"]:
-        return match["code"] not in own and name_address(course, module, match["code"])
+    if name := match["code"]:
+        full = name not in own and (module.names.get(name) or course.find(name, module.lab))
+        return full and course.address(full)
     if match["file"]:
         return next((course.address(full) for full, other in course.modules.items()
                      if other.topic == match["file"]), None)
     if match["lab"]:
         lecture = course.lectures.get(int(match["lab"]))
         return lecture and f"../{match['kind'].lower()}s/{lecture.page}.html"
-    number = int(match[2])
-    return number in course.equations(module) and course.equation_address(module, number)
-
-
-def name_address(course, module, name):
-    """Where a name that a docstring of this module mentions has its place. None if it has none."""
-    full = module.names.get(name) or course.find(name, module.lab)
-    return full and course.address(full)
+    known = course.equations(module).get(int(match[2]))
+    return known and equation_address(known[0], match[2])
 
 
 def first_sentence(text):

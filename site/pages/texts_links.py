@@ -1,4 +1,4 @@
-"""Links of the course's own texts, made links of the site.
+"""The course's own texts as pages: their links, and their pictures, become the site's.
 
 A text in the repository links to files beside it: `[renderers.py](renderers.py)`. What has a page
 becomes a link to this page. Of a link to any other file the label is left, as code.
@@ -6,25 +6,41 @@ becomes a link to this page. Of a link to any other file the label is left, as c
 import posixpath
 import re
 
+from course.given import image
 from course.given.places import ROOT
 
-from . import put
-from .names import document, function_page
+from . import picture, put
+from .names import TEXTS, function_page, page_of_file
 
+PICTURE = re.compile(r"!\[([^]]*)\]\((\w+\.png)\)")
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(?<![`[])`((?:\w+\.)?\w+)`(?![`\w])")
 GLOSSARY = "```{glossary}\n"
 
 
-def write(folder, lite):
-    """Write the pages of site/texts: what they name of reference/ leads to its place there.
+def write(folder, extra, lite):
+    """Write the pages of site/texts and of the repository's texts, and their pictures to extra.
 
     lite: the labs in the browser are there, and their page.
     """
+    for source, name in TEXTS.items():
+        place, text = posixpath.dirname(source), (ROOT / source).read_text("utf-8")
+        put(folder / f"{name}.md", with_page_links(with_pictures(text, place, extra), place))
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
         if lite or path.stem != "in_the_browser":
             text = linked(path.read_text("utf-8"), "site/texts")
             put(folder / path.name, text.replace(GLOSSARY, letters(text) + GLOSSARY))
+
+
+def with_pictures(text, place, extra):
+    """A text of the folder `place`, whose pictures are copied to extra."""
+    def shown(found):
+        words, file = found.groups()
+        put(extra / file, (ROOT / place / file).read_bytes())
+        one = picture(file, " ".join(words.split()), *image.size(extra / file))
+        return f'<figure class="drawn">{one}</figure>'
+
+    return PICTURE.sub(shown, text)
 
 
 def letters(text):
@@ -51,8 +67,11 @@ def with_page_links(text, place):
         if "://" in target or target.startswith(("#", "/")):
             return link[0]
         path, mark, section = target.partition("#")
-        page = document(posixpath.normpath(f"{place}/{path}"))
-        return f"[{label}]({page}{mark}{section})" if page else f"`{label.strip('`')}`"
+        page = page_of_file(posixpath.normpath(f"{place}/{path}"))
+        if not page:
+            return f"`{label.strip('`')}`"
+        ending = ".ipynb" if page.startswith("lectures/") else ".md"
+        return f"[{label}](/{page}{ending}{mark}{section})"
 
     return LINK.sub(page_link, text)
 

@@ -5,7 +5,7 @@ import json
 import re
 
 import pytest
-from pages import benchmarks, instructors, names, texts_links
+from pages import benchmarks, names, texts_links
 from serving import ROOT
 
 from course import exercises
@@ -25,8 +25,7 @@ def written(tmp_path_factory):
     """The folder of all these pages, made of what the repository holds."""
     folder = tmp_path_factory.mktemp("pages")
     benchmarks.write(folder, folder / "extra")
-    instructors.write(folder, folder / "extra")
-    texts_links.write(folder, lite=False)
+    texts_links.write(folder, folder / "extra", lite=False)
     return folder
 
 
@@ -109,8 +108,7 @@ def test_every_link_leads_somewhere(page, written):
     assert [(target, why) for target in targets if (why := dead_link(target, text, written))] == []
 
 
-@pytest.mark.parametrize(("page", "source"), [
-    (page.removesuffix(".md"), source) for page, source in instructors.TEXTS.items()])
+@pytest.mark.parametrize(("source", "page"), names.TEXTS.items())
 def test_a_mapped_text_differs_from_its_source_in_links_alone(page, source, written):
     """A sentence is lost, or a link inside code was taken for a link."""
     def bare(text):

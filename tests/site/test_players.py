@@ -4,8 +4,7 @@ import shutil
 
 import numpy as np
 import pytest
-from pages import comparisons, lectures
-from pages.posters import poster
+from pages import comparisons, lectures, poster
 from PIL import Image
 from serving import ROOT, served
 
@@ -36,7 +35,7 @@ def film(path, duration=120):
 def place(tmp_path):
     """A folder with an animation, its still and the players -> a function that serves a page."""
     film(tmp_path / "film.png")
-    (tmp_path / "still.png").write_bytes(poster((tmp_path / "film.png").read_bytes()))
+    (tmp_path / "still.png").write_bytes(poster(Image.open(tmp_path / "film.png")))
     Image.fromarray(FRAMES[0]).save(tmp_path / "first.png")
     Image.fromarray(FRAMES[-1]).save(tmp_path / "last.png")
     shutil.copytree(ROOT / "site" / "static", tmp_path / "static")

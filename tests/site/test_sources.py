@@ -203,7 +203,7 @@ def test_a_planted_mistake_is_found(mistake):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_lab_has_all_its_questions_and_no_answer(lab):
     """An exercise is not on its page, or its answer is."""
-    soup, asked = lab_page(lab), labs.of_lab(COURSE, lab)
+    soup, asked = lab_page(lab), COURSE.lectures[lab].asked
     shown = {element["id"]: element for element in soup.select('section[id^="exercise-"]')}
     assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = built("labs/index").get_text()
@@ -229,7 +229,7 @@ def answer_lines(module, node):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
-    for exercise in labs.of_lab(COURSE, lab).values():
+    for exercise in COURSE.lectures[lab].asked.values():
         anchor = names.anchor(exercise.number)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
         page, _, place = links[0]["href"].removeprefix("../").partition(".html#")
