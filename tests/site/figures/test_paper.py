@@ -8,10 +8,10 @@ from reference import rasterization
 
 def check_edges(page, p):
     """The figure shows the reference's numbers for the pixel at p and the handles' places."""
-    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
+    places = [point_of(settled(page).locator(f".handle:text-is('{k}')")) for k in range(3)]
     triangle, p = np.array(places), np.array(p)
     e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
-    labels = settled(page).locator(".label").all_text_contents()
+    labels = page.locator(".label").all_text_contents()
     found = [number(label.split(" = ")[1]) for label in labels]
     np.testing.assert_allclose(found, e, atol=0.051)  # one decimal is shown
     weights = [number(text) for text in page.locator(".weight").all_text_contents()]
