@@ -5,8 +5,8 @@
                         <---------------------------------                         at outlines
 
 Which face a pixel sees has no gradient: it jumps. So two pixels are blended by where an outline
-crosses between them. `python3 reference/tiny.py` checks a derivative, and pulls a ball to a star's
-picture: tiny.bmp. (Lab n) derives a step, and has what is left out: speed, faces behind the camera.
+crosses between them. `python3 reference/tiny.py` needs NumPy, checks a derivative, and pulls a ball
+to a star's picture: tiny.bmp. (Lab n) derives a step. Left out: speed, faces behind the camera.
 """
 import numpy as np
 

@@ -1,5 +1,6 @@
 /** Lecture 03: a wave that is too fast for its samples looks like a slow one. */
-import { eachFrame, html, number, Sheet, slider } from "./paper.js";
+import { counted, fill, html, number, Sheet, slider } from "./paper.js";
+import { rgb } from "./picture.js";
 
 const RATE = 12;                 // samples, at the middles of as many pixels
 const FINE = 15;                 // each pixel is a box over so many fine samples
@@ -17,25 +18,21 @@ export function boxFactor(k, width, n) {
 
 const wave = (frequency, t) => Math.cos(2 * Math.PI * frequency * (t - 0.5 / RATE));
 const range = (count) => Array.from({ length: count + 1 }, (_, n) => n / count);
-const grey = (value) => `fill: rgb(${Array(3).fill(255 * (0.5 + 0.45 * value)).join(" ")})`;
+const grey = (value) => `fill: ${rgb(Array(3).fill(0.5 + 0.45 * value))}`;
 
 export function show(place) {
-  const redraw = eachFrame(draw);
   let frequency = START;
   const times = Array.from({ length: RATE }, (_, n) => (n + 0.5) / RATE);
   const waves = new Sheet([0, 1, -0.075, 0.075],
-    "The wave, its samples, and the alias through the same samples", redraw);
+    "The wave, its samples, and the alias through the same samples", draw);
   const strips = ["sampled", "the mean over each pixel"].map((title) =>
-    ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, redraw) }));
+    ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, draw) }));
   const fold = new Sheet([-0.03, 1.03, -0.07, 0.42],
-    "The periods seen, and what the box filter leaves, against the wave's periods", redraw);
+    "The periods seen, and what the box filter leaves, against the wave's periods", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   const filtered = html("p");
   const control = slider({ label: "periods", min: 0, max: FASTEST, step: 0.5, value: START,
-                           changed: (to) => {
-                             frequency = to;
-                             redraw();
-                           } });
+                           changed: (to) => { frequency = to; } });
 
   function draw() {
     const alias = aliasFrequency(frequency, RATE);
@@ -45,11 +42,8 @@ export function show(place) {
     waves.draw(
       waves.line(curve(frequency), "curve wave"), waves.line(curve(alias), "curve alias"),
       samples.map((value, n) => waves.dot([times[n], 0.055 * value], 5, "sample point")));
-    [1, left].forEach((share, k) => strips[k].sheet.draw(samples.map((value, n) => {
-      const pixel = strips[k].sheet.rectangle([n / RATE, 0], 1 / RATE, 0.05, "square");
-      pixel.style.cssText = grey(share * value);
-      return pixel;
-    })));
+    [1, left].forEach((share, k) => strips[k].sheet.draw(samples.map((value, n) =>
+      strips[k].sheet.rectangle([n / RATE, 0], 1 / RATE, 0.05, "square", grey(share * value)))));
     drawFold(Math.abs(alias) / (RATE / 2), Math.abs(left));
     tell(alias, left);
   }
@@ -75,7 +69,7 @@ export function show(place) {
 
   function tell(alias, left) {
     answer.innerHTML = frequency < RATE / 2
-      ? `${number(frequency)} period${frequency === 1 ? "" : "s"}, seen correctly.`
+      ? `${counted(frequency, "period")}, seen correctly.`
       : frequency === RATE / 2
         ? "Two samples a period: what is seen depends on where they lie."
         : `${number(frequency)} periods, but the samples show ` +
@@ -86,12 +80,9 @@ export function show(place) {
       "of the wave.";
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Make the wave faster. ",
-      html("span", {}, `There are always ${RATE} samples. `,
-        html("b", { class: "red" }, "Red"), " is the slowest wave through them.")),
+  fill(place, draw, "Make the wave faster.", `There are always ${RATE} samples. ` +
+      '<b class="red">Red</b> is the slowest wave through them.',
     html("div", { class: "wide told" }, control.element, waves.box,
       ...strips.flatMap(({ title, sheet }) => [html("p", {}, title), sheet.box])),
-    fold.box, html("div", { class: "told" }, answer, filtered)));
-  draw();
+    fold.box, html("div", { class: "told" }, answer, filtered));
 }

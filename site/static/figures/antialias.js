@@ -1,5 +1,5 @@
 /** Lecture 08: an edge crosses between two pixels. It blends their colours, and gets a gradient. */
-import { clamp, eachFrame, html, number, Sheet, svg } from "./paper.js";
+import { clamp, fill, html, number, Sheet } from "./paper.js";
 
 const START = [[0.2, 0.6], [0.35, -0.5]];
 const OWNER = 0.2, OTHER = 0.9;  // their shades: 0 is blue, 1 is white
@@ -42,7 +42,7 @@ export function blendBackward([gradOwner, gradOther], owner, other, alpha) {
 }
 
 /** All that the figure shows, of an edge with the ends (x0, y0) and (x1, y1). */
-export function pairOf(ends) {
+function pairOf(ends) {
   const [x0, y0, x1, y1] = ends.flat();
   const c = crossing(x0, y0, x1, y1);
   if (!isBlended(c, x0, y0, x1, y1)) {
@@ -61,10 +61,7 @@ const shown = (c) => (c >= -WINDOW && c <= 1 + WINDOW ? blend(OWNER, OTHER, blen
   : [OWNER, OTHER]);
 const CORNERS = [-0.25, -WINDOW - 1e-9, -WINDOW, 0, 0.5, 1, 1 + WINDOW, 1 + WINDOW + 1e-9, 1.25];
 
-const coloured = (element, value) => {
-  element.style.cssText = `fill: color-mix(in srgb-linear, #ffffff ${100 * value}%, #0072b2)`;
-  return element;
-};
+const fillOf = (shade) => `fill: color-mix(in srgb-linear, #ffffff ${100 * shade}%, #0072b2)`;
 
 /** Does the edge cross between the centres, and leave the blend to a pair above each other? */
 const isFlat = ({ c, alpha }) => alpha === null && c > -WINDOW && c < 1 + WINDOW;
@@ -88,19 +85,15 @@ function why(pair) {
 }
 
 export function show(place) {
-  const redraw = eachFrame(draw);
   let ends = START;
   const sheet = new Sheet([-0.7, 1.7, -2.2, 0.75],
-    "An edge between two pixels; below, their colours after the blend, and as curves", redraw);
+    "An edge between two pixels; below, their colours after the blend, and as curves", draw);
   sheet.box.classList.add("light");
   const answer = html("p", { class: "verdict", role: "status" });
-  START.forEach((at, k) => sheet.handle({
-    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at,
+  START.forEach((_, k) => sheet.handle({
+    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at: () => ends[k],
     limits: [-0.45, 1.45, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
-    moved: (to) => {
-      ends = ends.map((end, n) => (n === k ? to : end));
-      redraw();
-    } }));
+    moved: (to) => { ends = ends.with(k, to); } }));
 
   function draw() {
     const pair = pairOf(ends);
@@ -113,11 +106,10 @@ export function show(place) {
   function pixels(c) {
     const slope = (ends[1][0] - ends[0][0]) / (ends[1][1] - ends[0][1]);
     const rows = Array.from({ length: 41 }, (_, n) => n / 40 - 0.5);
-    const face = svg("polygon", { points: [[-0.5, -0.5],
-      ...rows.map((y) => [clamp(c + slope * y, -0.5, 1.5), y]),
-      [-0.5, 0.5]].map((p) => sheet.place(p)) });
-    return [coloured(sheet.rectangle([-0.5, -0.5], 2, 1, "square"), OTHER),
-      coloured(face, OWNER), sheet.line([[0.5, -0.5], [0.5, 0.5]], "border"),
+    const face = [[-0.5, -0.5], ...rows.map((y) => [clamp(c + slope * y, -0.5, 1.5), y]),
+                  [-0.5, 0.5]];
+    return [sheet.rectangle([-0.5, -0.5], 2, 1, "square", fillOf(OTHER)),
+      sheet.polygon(face, "", fillOf(OWNER)), sheet.line([[0.5, -0.5], [0.5, 0.5]], "border"),
       sheet.line([[0, 0], [1, 0]], "ruler"), [0, 1].map((x) => sheet.dot([x, 0], 4, "sample")),
       ["owner", OWNER].map((word, row) => sheet.text([-0.5, 0], word, "", [5, 3 - 18 * row])),
       ["other", OTHER].map((word, row) => sheet.text([1.5, 0], word, "end", [-5, 3 - 18 * row]))];
@@ -155,15 +147,12 @@ export function show(place) {
                                                      `label ${colour[k]} end`, [-6, -5])),
       sheet.text(at(1.25, 0), "c", "label edge", [8, -5]),
       colours.map((value, k) => [
-        coloured(sheet.rectangle([k - 0.5, -1.05], 1, 0.3, "square"), value),
+        sheet.rectangle([k - 0.5, -1.05], 1, 0.3, "square", fillOf(value)),
         sheet.text([k, -0.9], number(value), "middle", [0, -5]),
         faded || c < -0.25 || c > 1.25 ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the ends of the edge. ",
-      html("span", {}, "The loss wants the changed pixel bluer. The arrows are ",
-        html("b", { class: "green" }, "−∂L/∂(x, y)"), ".")), sheet.box,
-    html("div", { class: "told" }, answer)));
-  draw();
+  fill(place, draw, "Drag the ends of the edge.", "The loss wants the changed pixel bluer. " +
+      'The arrows are <b class="green">−∂L/∂(x, y)</b>.',
+    sheet.box, html("div", { class: "told" }, answer));
 }

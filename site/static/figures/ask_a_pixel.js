@@ -1,7 +1,8 @@
 /** Lecture 16: which numbers of the grid does one pixel of a picture pull, and by what? */
 import { EYE, isOutside, onStrip, PIXELS, pull, render, STRIP, WIDTH } from "./carving.js";
-import { eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
+import { fill, html, playAndReset, say, Sheet } from "./paper.js";
 import { marchingTriangles, POINTS } from "./sign_grid.js";
+import { between, dot, minus, plus } from "./vectors.js";
 
 const RATE = 0.005, MOMENTUM = 0.9, STEPS = 300;
 const TRUTH = [[-0.72, 0.45, 0.4], [0.72, 0.45, 0.4]];         // two discs: x, y, radius
@@ -20,8 +21,8 @@ function colourOf(k, { coverage, hits }, { vertices, segments }) {
   const hit = hits[k] ?? hits[k - 1] ?? hits[k + 1];
   if (!hit) return [1, 1, 1];
   const [p, q] = segments[hit.segment].map((n) => vertices[n].p);
-  const [x, y] = [q[1] - p[1], p[0] - q[0]];
-  const light = SKY + (1 - SKY) * Math.max(0, x * SUN[0] + y * SUN[1]) / Math.hypot(x, y);
+  const [x, y] = minus(q, p), facing = dot([y, -x], SUN) / Math.hypot(x, y);
+  const light = SKY + (1 - SKY) * Math.max(0, facing);
   return ALBEDO.map((albedo) => 1 + coverage[k] * (albedo * light - 1));
 }
 
@@ -47,44 +48,42 @@ function verdict(k, target, { coverage, hits, outlines }) {
     : "Nothing: both pictures are empty here.";
 }
 
-const fromEye = (p, times) => EYE.map((e, axis) => e + times * (p[axis] - e));
+const fromEye = (p, times) => between(EYE, p, times);
 
 /** A drawing in which a pointer means the ray through it. */
 class Flatland extends Sheet {
   pointOf(event) {
-    const [x, y] = super.pointOf(event);
-    const shrink = (STRIP - EYE[1]) / Math.max(y - EYE[1], 0.3);
-    return [EYE[0] + (x - EYE[0]) * shrink, STRIP];
+    const p = super.pointOf(event);
+    return [fromEye(p, (STRIP - EYE[1]) / Math.max(p[1] - EYE[1], 0.3))[0], STRIP];
   }
 }
 
 export function show(place) {
-  const redraw = eachFrame(draw);
   const truth = marchingTriangles(POINTS.map((p) => discs(p, TRUTH)));
   const photograph = render(truth.vertices, truth.segments);
   const target = photograph.coverage, all = [...target.keys()];
   const centre = (k) => EYE[0] + (k + 0.5 - PIXELS / 2) * WIDTH;
-  let pixel = 9, distance, velocity, step;
+  let pixel = 9, chosen = pixel, distance, velocity, step; // pixel: below the mouse, too
   const sheet = new Flatland([-1.31, 1.31, -1.38, 1.02],
-    "A camera's rays to a surface in which a skin joins two blobs", redraw);
+    "A camera's rays to a surface in which a skin joins two blobs", draw);
   const said = html("p"), answer = html("p", { class: "verdict" });
   const ended = html("p", { role: "status" });
-  const probe = sheet.probe({
-    name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: [centre(pixel), STRIP],
+  sheet.probe({
+    name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: () => [centre(chosen), STRIP],
+    said: () => `${said.textContent} ${answer.textContent}`,
     limits: [centre(0), centre(PIXELS - 1), STRIP, STRIP],
-    moved: ([x]) => {
-      pixel = Math.round(onStrip([x, STRIP]) - 0.5);
-      redraw();
+    moved: (to, isChosen) => {
+      pixel = Math.round(onStrip(to) - 0.5);
+      if (isChosen) chosen = pixel;
     } });
   const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
     const gradient = pull(all, target, distance);
-    velocity = velocity.map((v, n) => MOMENTUM * v + gradient[n]);
-    distance = distance.map((s, n) => s - RATE * velocity[n]);
-    draw();
+    velocity = plus(gradient, velocity, MOMENTUM);
+    distance = plus(distance, velocity, -RATE);
     return true;
-  }, begin, redraw);
+  }, begin, draw);
 
   function begin() {
     distance = POINTS.map((p) => Math.min(discs(p, FOUND), skin(p, SKIN)));
@@ -92,11 +91,9 @@ export function show(place) {
   }
 
   function row(y, picture, surface) {
-    return all.map((k) => {
-      const square = sheet.rectangle([centre(k) - WIDTH / 2, y], WIDTH, HEIGHT, "pixel");
-      square.style.fill = `color(srgb-linear ${colourOf(k, picture, surface).join(" ")})`;
-      return square;
-    });
+    return all.map((k) => sheet.rectangle(
+      [centre(k) - WIDTH / 2, y], WIDTH, HEIGHT, "pixel",
+      `fill: color(srgb-linear ${colourOf(k, picture, surface).join(" ")})`));
   }
 
   /** The truth, the grid, what is found, and the camera with its pictures. */
@@ -107,9 +104,7 @@ export function show(place) {
       sheet.dot(EYE, 6, "sample point"), sheet.text(EYE, "camera", "", [12, -4]),
       row(STRIP, photograph, truth), sheet.text([-1.3, STRIP + 0.02], "target"),
       row(STRIP - HEIGHT, picture, surface), sheet.text([-1.3, STRIP - 0.09], "found"),
-      TRUTH.map(([cX, cY, radius]) => sheet.line(Array.from({ length: 49 }, (_, k) =>
-        [cX + radius * Math.cos(k * Math.PI / 24), cY + radius * Math.sin(k * Math.PI / 24)]),
-        "goal")),
+      TRUTH.map(([x, y, radius]) => sheet.dot([x, y], radius * sheet.scale, "goal")),
       sheet.text([TRUTH[0][0], 0.88], "truth", "middle"),
       POINTS.map((p, n) => (p[1] < 0 || Math.abs(p[0]) > sheet.x1 ? []
         : sheet.dot(p, distance[n] < 0 ? 3 : 1.6, `sample ${distance[n] < 0 ? "first" : ""}`))),
@@ -130,10 +125,9 @@ export function show(place) {
   }
 
   /** A point of the surface, and an arrow along which it goes. */
-  function moved(point, [dX, dY], length, style) {
-    const scale = length / Math.hypot(dX, dY);
-    return [...sheet.arrow(point, [point[0] + scale * dX, point[1] + scale * dY], style),
-            sheet.dot(point, 5, "crossing")];
+  function moved(point, way, length, style) {
+    const tip = plus(point, way, length / Math.hypot(...way));
+    return [...sheet.arrow(point, tip, style), sheet.dot(point, 5, "crossing")];
   }
 
   /** What the pixel asks of the surface: crossings move, its face goes back, or it may slide. */
@@ -142,18 +136,18 @@ export function show(place) {
     const more = target[pixel] - coverage[pixel];
     const moves = crossings.flatMap(({ vertex }) => {
       const { p, a } = vertices[vertex];
-      return moved(p, p.map((t, axis) => Math.sign(more) * (t - POINTS[a][axis])),
-                   0.3 * Math.abs(more), more > 0 ? "extra" : "descent");
+      return moved(p, minus(p, POINTS[a]), 0.3 * more, more > 0 ? "extra" : "descent");
     });
     if (!hit) return moves;
     const [p, q] = segments[hit.segment].map((n) => vertices[n].p);
-    const [x, y] = [q[0] - p[0], q[1] - p[1]], reach = 0.1 / Math.hypot(x, y);
-    if (isOutside(target)[pixel]) return [...moves, ...moved(hit.at, [-y, x], 0.25, "descent")];
+    const along = minus(q, p), reach = 0.1 / Math.hypot(...along);
+    if (isOutside(target)[pixel]) {
+      return [...moves, ...moved(hit.at, [-along[1], along[0]], 0.25, "descent")];
+    }
     return crossings.length || target[pixel] < 1 ? moves
       : [0.84, 0.92, 1, 1.08, 1.16].map((times) => {
-        const [atX, atY] = fromEye(hit.at, times);
-        return sheet.line([[atX - reach * x, atY - reach * y], [atX + reach * x, atY + reach * y]],
-                          "slid");
+        const middle = fromEye(hit.at, times);
+        return sheet.line([plus(middle, along, -reach), plus(middle, along, reach)], "slid");
       });
   }
 
@@ -161,12 +155,12 @@ export function show(place) {
     const surface = marchingTriangles(distance);
     const picture = render(surface.vertices, surface.segments);
     const far = Math.min(2.08, sheet.x1 / Math.abs(centre(pixel))); // in the sheet
+    tell(picture);
     sheet.draw(
       scene(surface, picture),
       sheet.line([EYE, picture.hits[pixel]?.at ?? fromEye([centre(pixel), STRIP], far)], "ray"),
       asked(surface, picture), pulled(),
       sheet.rectangle([centre(pixel) - WIDTH / 2, STRIP - HEIGHT], WIDTH, 2 * HEIGHT, "chosen"));
-    tell(picture);
   }
 
   function tell(picture) {
@@ -174,20 +168,16 @@ export function show(place) {
     said.innerHTML = `Pixel ${pixel + 1} is covered ${percent(target[pixel])} in the target, ` +
       `${percent(picture.coverage[pixel])} in what is found.`;
     answer.textContent = verdict(pixel, target, picture);
-    probe.element.setAttribute("aria-valuetext", `${said.textContent} ${answer.textContent}`);
     say(ended, step < STEPS ? ""
       : "The coverage is right everywhere. The depth is not: one camera cannot tell.");
   }
 
   begin();
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "What does a pixel pull? Drag along the row, then press Play. ",
-      html("span", {}, "At a ", html("b", { class: "green" }, "green +"),
-        " it raises the grid's distance: the ",
-        html("b", { class: "blue" }, "found surface"), " retreats. At an ",
-        html("b", { class: "orange" }, "orange −"), " it lowers it: the surface advances.")),
+  fill(place, draw, "What does a pixel pull? Drag along the row, then press Play.",
+    'At a <b class="green">green +</b> it raises the grid\'s distance: ' +
+      'the <b class="blue">found surface</b> retreats. ' +
+      'At an <b class="orange">orange −</b> it lowers it: the surface advances.',
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("div", { class: "row" }, ...buttons), ended)));
-  draw();
+      html("div", { class: "row" }, ...buttons), ended));
 }

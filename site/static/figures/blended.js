@@ -3,7 +3,8 @@
 import { blendWeight, blendWeightBackward, crossing, crossingBackward, isBlended }
   from "./antialias.js";
 import { EDGES, isCovered } from "./edge_functions.js";
-import { centreOf } from "./elements.js";
+import { centreOf, centres } from "./elements.js";
+import { minus, plus } from "./vectors.js";
 
 /** Lecture 08, eq. (2): a point in the frame of a pair of pixels along dx, dy. */
 const pairFrame = ([x, y], [dx, dy, turned]) =>
@@ -13,7 +14,7 @@ const pairFrameBackward = (gradX, gradY, [dx, dy, turned]) =>
   [turned * dx * gradX + dy * gradY, turned * dy * gradX + dx * gradY];
 
 /** By which edge does the line y = 0 leave the triangle, on the way from owner to other? */
-export function lastCrossing(corners) {
+function lastCrossing(corners) {
   let edge = 0, c = -Infinity;
   EDGES.forEach(([i, j], k) => {
     if ((corners[i][1] < 0) === (corners[j][1] < 0)) return;
@@ -32,7 +33,7 @@ function blendedPairs(inside, triangle, width, height) {
     const [owner, other, turned] = inside[n] ? [n, next, 1] : [next, n, -1];
     const centre = centreOf(owner, width);
     const frame = [dx, dy, turned];
-    const corners = triangle.map(([x, y]) => pairFrame([x - centre[0], y - centre[1]], frame));
+    const corners = triangle.map((vertex) => pairFrame(minus(vertex, centre), frame));
     const { edge, c } = lastCrossing(corners);
     const ends = EDGES[edge].flatMap((k) => corners[k]);
     const isDropped = c === 0.5 && owner < other; // nothing moves there
@@ -47,7 +48,7 @@ function blendedPairs(inside, triangle, width, height) {
 
 /** Which pixels' centres does a triangle (3 vertices, counter-clockwise) cover? */
 export const covered = (triangle, width, height) =>
-  Array.from({ length: width * height }, (_, n) => isCovered(centreOf(n, width), triangle));
+  centres(width, height).map((centre) => isCovered(centre, triangle));
 
 /** -> the picture of a triangle, and the pairs that it blends. */
 export function render(triangle, width, height) {
@@ -68,9 +69,8 @@ export function renderBackward(gradPicture, pairs) {
     const gradAlpha = -gradPicture[blendWeight(c) >= 0 ? owner : other];
     const gradEnds = crossingBackward(blendWeightBackward(gradAlpha, c), ...ends);
     EDGES[edge].forEach((vertex, end) => {
-      const [x, y] = pairFrameBackward(gradEnds[2 * end], gradEnds[2 * end + 1], frame);
-      gradients[vertex][0] += x;
-      gradients[vertex][1] += y;
+      gradients[vertex] = plus(gradients[vertex], pairFrameBackward(
+        gradEnds[2 * end], gradEnds[2 * end + 1], frame));
     });
   }
   return gradients;

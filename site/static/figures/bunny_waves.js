@@ -1,10 +1,11 @@
 /** Lecture 13: a bunny is the sum of its waves, and a few slow ones are most of its shape. */
 import { canvasOf, paint, silhouette } from "./facets.js";
-import { clamp, eachFrame, html, player, say, Sheet } from "./paper.js";
+import { clamp, fill, html, player, say, Sheet, soon } from "./paper.js";
+import { between } from "./vectors.js";
 
 const FILE = new URL("../../waves/bunny.bin", import.meta.url);
 const WHOLE = 2 ** 15;                    // a wave of length 1 in units of the file
-const CLAY = [217, 199, 174], RED = [202, 0, 32], BLUE = [5, 90, 170];
+const CLAY = [217, 199, 174], WHITE = [245, 245, 245], RED = [202, 0, 32], BLUE = [5, 90, 170];
 const START = 0.5, STEPS = 48, FRAMES = 400;
 const LEFT = 0.5, RIGHT = 9.5, FLOOR = 0.5, TOP = 1.8;  // of the spectrum, on its sheet
 const LEAST = -2.2, MOST = 1.4;           // its powers of ten
@@ -52,34 +53,26 @@ const placeOf = (along) => [LEFT + along * (RIGHT - LEFT), FLOOR];
 
 export function show(place) {
   let bunny = null, along = START;        // along: where on the spectrum's axis, from 0 to 1
-  const redraw = eachFrame(draw);
+  const waveCount = () => Math.round(bunny.count ** along);
   const box = [-1.03, 1.06, -0.88, 0.86];
-  const sum = new Sheet(box, "A bunny as the sum of its first waves", redraw);
-  const one = new Sheet(box, "One wave on the bunny: red below zero, blue above", redraw);
-  const spectrum = new Sheet([0, 10, 0, TOP], "How much of each wave is in the bunny", redraw);
+  const sum = new Sheet(box, "A bunny as the sum of its first waves", draw);
+  const one = new Sheet(box, "One wave on the bunny: red below zero, blue above", draw);
+  const spectrum = new Sheet([0, 10, 0, TOP], "How much of each wave is in the bunny", draw);
   const [sumCanvas, oneCanvas] = [sum, one].map(canvasOf);
   const answer = html("p", { class: "verdict", role: "status" });
   const said = html("p");
-  const handle = spectrum.handle({
-    name: "Number of waves", style: "second", at: placeOf(START), from: [LEFT, FLOOR],
-    step: (RIGHT - LEFT) / STEPS, limits: [LEFT, RIGHT, FLOOR, FLOOR],
+  spectrum.handle({
+    name: "Number of waves", style: "second", at: () => placeOf(along),
+    said: () => (bunny ? `${waveCount()} waves` : "no waves yet"),
+    from: [LEFT, FLOOR], step: (RIGHT - LEFT) / STEPS, limits: [LEFT, RIGHT, FLOOR, FLOOR],
     moved: ([x]) => {
       play.stop();
-      go((x - LEFT) / (RIGHT - LEFT));
+      along = (x - LEFT) / (RIGHT - LEFT);
     } });
   const play = player("Play", () => {
-    go(along === 1 ? 0 : Math.min(1, along + 1 / FRAMES));
+    along = along === 1 ? 0 : Math.min(1, along + 1 / FRAMES);
     return along < 1;
-  });
-
-  const waveCount = () => Math.round(bunny.count ** along);
-
-  function go(to) {
-    along = to;
-    handle.set(placeOf(along));
-    if (bunny) handle.element.setAttribute("aria-valuetext", `${waveCount()} waves`);
-    redraw();
-  }
+  }, draw);
 
   function draw() {
     if (!bunny) return;
@@ -107,7 +100,7 @@ export function show(place) {
     const largest = Math.max(...bunny.faces.map((face) => Math.abs(heightOf(face))));
     return (face) => {
       const t = clamp(1.4 * heightOf(face) / largest, -1, 1);
-      return [0, 1, 2].map((axis) => 245 + Math.abs(t) * ((t < 0 ? RED : BLUE)[axis] - 245));
+      return between(WHITE, t < 0 ? RED : BLUE, Math.abs(t));
     };
   }
 
@@ -143,14 +136,13 @@ export function show(place) {
     const vertices = sumOfWaves(bunny, bunny.count), y = vertices.filter((_, n) => n % 3 === 1);
     Object.assign(bunny, { vertices, strength: strengths(bunny),
       height: Math.max(...y) - Math.min(...y), outline: silhouette(vertices, bunny.faces) });
-    go(along);
+    soon(draw);
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the point along the spectrum, or press Play. ",
-      html("span", {}, "The waves up to it, in ", html("b", { class: "orange" }, "orange"),
-        ", are added up. The last of them is painted on the bunny.")),
-    sum.box, one.box, spectrum.box, html("div", { class: "told" }, answer, play.element, said)));
+  fill(place, draw, "Drag the point along the spectrum, or press Play.",
+    'The waves up to it, in <b class="orange">orange</b>, are added up. ' +
+      "The last of them is painted on the bunny.",
+    sum.box, one.box, spectrum.box, html("div", { class: "told" }, answer, play.element, said));
   const near = new IntersectionObserver(([{ isIntersecting }]) => {
     if (!isIntersecting) return;
     near.disconnect();

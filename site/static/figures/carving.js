@@ -1,5 +1,6 @@
 /** Lecture 16 in the plane: a camera's row of pixels, and what they pull at the grid's numbers. */
-import { marchingTriangles, POINTS, zeroCrossingBackward } from "./sign_grid.js";
+import { crossingsBackward, marchingTriangles } from "./sign_grid.js";
+import { between, plus } from "./vectors.js";
 
 export const EYE = [0, -1.3], STRIP = -0.2;   // the camera, and the height of its row of pixels
 export const PIXELS = 20, WIDTH = 0.086;      // WIDTH of a pixel, in the row
@@ -10,13 +11,13 @@ export const onStrip = ([x, y]) =>
   PIXELS / 2 + (x - EYE[0]) * (STRIP - EYE[1]) / (y - EYE[1]) / WIDTH;
 
 /** Backward of onStrip -> dL/dpoint. */
-export function onStripBackward(grad, [x, y]) {
+function onStripBackward(grad, [x, y]) {
   const perUnit = grad * (STRIP - EYE[1]) / (y - EYE[1]) / WIDTH;
   return [perUnit, -perUnit * (x - EYE[0]) / (y - EYE[1])];
 }
 
 /** The segment that each pixel's centre sees first, and how far along it: {segment, u}, or null. */
-export function firstHits(vertices, segments) {
+function firstHits(vertices, segments) {
   const hits = Array(PIXELS).fill(null);
   const place = vertices.map(({ p }) => onStrip(p));
   segments.forEach(([from, to], segment) => {
@@ -25,10 +26,8 @@ export function firstHits(vertices, segments) {
       if (k >= PIXELS) return;
       const slope = (k + 0.5 - PIXELS / 2) * WIDTH / (STRIP - EYE[1]);
       const [e, f] = [p, q].map(([x, y]) => x - EYE[0] - slope * (y - EYE[1]));
-      const u = e / (e - f), y = p[1] + u * (q[1] - p[1]);
-      if (!hits[k] || y < hits[k].at[1]) {
-        hits[k] = { segment, u, at: [p[0] + u * (q[0] - p[0]), y] };
-      }
+      const u = e / (e - f), at = between(p, q, u);
+      if (!hits[k] || at[1] < hits[k].at[1]) hits[k] = { segment, u, at };
     }
   });
   return hits;
@@ -60,8 +59,8 @@ export function render(vertices, segments) {
 export function coverageBackward(gradCoverage, outlines, vertices) {
   const gradients = vertices.map(() => [0, 0]);
   for (const { pixel, vertex, side } of outlines) {
-    onStripBackward(gradCoverage[pixel] * side, vertices[vertex].p)
-      .forEach((g, axis) => { gradients[vertex][axis] += g; });
+    gradients[vertex] = plus(gradients[vertex], onStripBackward(
+      gradCoverage[pixel] * side, vertices[vertex].p));
   }
   return gradients;
 }
@@ -101,12 +100,6 @@ export function pull(pixels, target, distance) {
   const gradP = coverageBackward(gradCoverage, outlines, vertices);
   const gradLevel = carvingBackward(WEIGHTS.carving, pixels.filter((k) => outside[k]), hits,
                                     segments, vertices.length);
-  const gradient = levelBackward(gradLevel, vertices.map(({ a, b }) => [a, b]), distance);
-  vertices.forEach(({ a, b }, n) => {
-    const [gradA, gradB] = zeroCrossingBackward(gradP[n], POINTS[a], POINTS[b], distance[a],
-                                                distance[b]);
-    gradient[a] += gradA;
-    gradient[b] += gradB;
-  });
-  return gradient;
+  return plus(crossingsBackward(gradP, vertices, distance),
+              levelBackward(gradLevel, vertices.map(({ a, b }) => [a, b]), distance));
 }

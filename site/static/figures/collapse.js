@@ -1,5 +1,6 @@
 /** Lecture 12 in the plane: an outline loses points, one collapse of an edge after the other. */
-import { clamp, eachFrame, html, number, player, Sheet, slider } from "./paper.js";
+import { CIRCLE, clamp, fill, html, number, player, Sheet, slider } from "./paper.js";
+import { plus } from "./vectors.js";
 
 /** The outline of the bunny in hundredths, x and y in turn, counter-clockwise. */
 const BUNNY = [
@@ -28,8 +29,6 @@ export function lineQuadric([ax, ay], [bx, by]) {
   return [x * x, x * y, y * y, x * d, y * d, d * d].map((t) => length * t);
 }
 
-const add = (q, r) => q.map((t, k) => t + r[k]);
-
 /** v Q v with v = (x, y, 1). */
 export const quadricError = ([xx, xy, yy, xd, yd, dd], [x, y]) =>
   xx * x * x + 2 * xy * x * y + yy * y * y + 2 * (xd * x + yd * y) + dd;
@@ -52,18 +51,18 @@ export function bestOnSegment([xx, xy, yy, xd, yd], a, b) {
 }
 
 /** The eigenvalues of A, the greatest first, and the direction of the least one. */
-export function ellipse([xx, xy, yy]) {
+function ellipse([xx, xy, yy]) {
   const [mean, half] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
   return { axes: [mean + half, mean - half],
            angle: Math.atan2(2 * xy, xx - yy) / 2 + Math.PI / 2 };
 }
 
 /** The cheapest edge to collapse: its first point, where the new point goes, and the cost. */
-export function cheapest(points, quadrics) {
+function cheapest(points, quadrics) {
   let best = { cost: Infinity };
   points.forEach((a, i) => {
     const j = (i + 1) % points.length;
-    const q = add(quadrics[i], quadrics[j]);
+    const q = plus(quadrics[i], quadrics[j]);
     const place = bestAnywhere(q) ?? bestOnSegment(q, a, points[j]);
     const cost = quadricError(q, place);
     if (cost < best.cost) best = { i, j, q, place, cost };
@@ -77,14 +76,13 @@ export const distanceOf = ({ q, cost }) => Math.sqrt(Math.max(cost, 0) / (q[0] +
 /** All outlines from the whole one down to a few points: {points, quadrics, next}. */
 export function simplify(points) {
   const lines = points.map((a, i) => lineQuadric(a, points[(i + 1) % points.length]));
-  let quadrics = lines.map((q, i) => add(q, lines[(i + lines.length - 1) % lines.length]));
+  let quadrics = lines.map((q, i) => plus(q, lines.at(i - 1)));
   const states = [];
   for (;;) {
     const next = cheapest(points, quadrics);
     states.push({ points, quadrics, next });
     if (points.length === LEAST) return states;
-    const kept = (list, middle) => list.map((one, n) => (n === next.i ? middle : one))
-      .filter((_, n) => n !== next.j);
+    const kept = (list, middle) => list.with(next.i, middle).filter((_, n) => n !== next.j);
     [points, quadrics] = [kept(points, next.place), kept(quadrics, next.q)];
   }
 }
@@ -93,40 +91,33 @@ export function show(place) {
   const whole = BUNNY.flatMap((x, n) => (n % 2 ? [] : [[x / 100, BUNNY[n + 1] / 100]]));
   const states = simplify(whole);
   let count = 40;
-  const redraw = eachFrame(draw);
   const sheet = new Sheet([-1.6, 1.6, -1.1, 1.1],
-    "The outline of a bunny with few points, an ellipse around each", redraw);
+    "The outline of a bunny with few points, an ellipse around each", draw);
   const said = html("p");
   const points = slider({ label: "points", min: LEAST, max: whole.length, step: 1, value: count,
-                          changed: (to) => {
-                            count = to;
-                            redraw();
-                          } });
+                          changed: (to) => { count = to; } });
   const play = player("Play", () => {
     count = count > LEAST ? count - 1 : whole.length;
     points.set(count);
-    draw();
     return count > LEAST;
-  });
+  }, draw);
 
   /** Where the error of a point's quadric is LEVEL, cut where it is long and thin. */
   function ring(quadric, centre) {
     const { axes, angle } = ellipse(quadric);
     const [short, long] = axes.map((value) =>
       Math.min(LONGEST, Math.sqrt(LEVEL / Math.max(value, 0))));
-    return sheet.line(Array.from({ length: 33 }, (_, k) => {
-      const [u, v] = [long * Math.cos(k * Math.PI / 16), short * Math.sin(k * Math.PI / 16)];
-      return [centre[0] + u * Math.cos(angle) - v * Math.sin(angle),
-              centre[1] + u * Math.sin(angle) + v * Math.cos(angle)];
-    }), "ring");
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    return sheet.polygon(CIRCLE.map(([x, y]) => plus(centre, [
+      long * x * cos - short * y * sin, long * x * sin + short * y * cos])), "ring");
   }
 
   function draw() {
     const { points: outline, quadrics, next } = states[whole.length - count];
     sheet.draw(
-      sheet.line([...whole, whole[0]], "goal"),
+      sheet.polygon(whole, "goal"),
       quadrics.map((quadric, n) => ring(quadric, outline[n])),
-      sheet.line([...outline, outline[0]], "outline found"),
+      sheet.polygon(outline, "outline found"),
       sheet.line([outline[next.i], outline[next.j]], "edge thick"),
       outline.map((point) => sheet.dot(point, 2.5, "sample point")));
     said.innerHTML = `The <b class="red">red</b> edge is the cheapest. The point in its place is ` +
@@ -134,13 +125,9 @@ export function show(place) {
       "lines that it stands for.";
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Take points away. ",
-      html("span", {}, "Along its ", html("b", { class: "green" }, "green"),
-        " ellipse a point would cost the same everywhere: it may slide along a straight part, ",
-        "and not leave a bend.")),
+  fill(place, draw, "Take points away.", 'Along its <b class="green">green</b> ellipse a point ' +
+      "would cost the same everywhere: it may slide along a straight part, and not leave a bend.",
     sheet.box,
     html("div", { class: "told" }, points.element, said,
-      html("div", { class: "row" }, play.element))));
-  draw();
+      html("div", { class: "row" }, play.element)));
 }

@@ -1,7 +1,8 @@
 /** Lectures 00 and 09: a triangle descends to the one that made a picture. */
 import { adamStep, lossOf, render } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
-import { clamp, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
+import { centreOf, clamp, fill, html, playAndReset, say, Sheet } from "./paper.js";
+import { plus } from "./vectors.js";
 
 const WIDTH = 24, HEIGHT = 16, STEPS = 240;
 const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
@@ -23,31 +24,25 @@ function verdict(triangle, { gradients, loss }) {
 export function show(place) {
   const target = render(TARGET, WIDTH, HEIGHT).picture;
   let triangle, means, squares, step, losses;
-  const redraw = eachFrame(draw);
+  begin(START);
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for",
-    redraw);
+    "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for", draw);
   const curve = new Sheet([0, STEPS, LOWEST * 14 - 16, HIGHEST * 14],
-    "The loss after each step, falling", redraw);
+    "The loss after each step, falling", draw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => sheet.handle({
-    name: `Vertex ${k}`, mark: String(k), step: 0.05, limits: [0, WIDTH, 0, HEIGHT], at,
-    moved: (to) => {
-      begin(triangle.map((vertex, n) => (n === k ? to : vertex)));
-      redraw();
-    } }));
+  START.forEach((_, k) => sheet.handle({
+    name: `Vertex ${k}`, mark: String(k), step: 0.05, limits: [0, WIDTH, 0, HEIGHT],
+    at: () => triangle[k], moved: (to) => begin(triangle.with(k, to)) }));
   const buttons = playAndReset(() => {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     if (step === STEPS || found.loss < 1e-6) return false;
     descend(found.gradients);
-    draw();
     return true;
-  }, () => begin(START), redraw);
+  }, () => begin(START), draw);
 
   function begin(from) {
     [triangle, means, squares, step, losses] = [from, Array(6).fill(0), Array(6).fill(0), 0, []];
-    triangle.forEach((vertex, k) => handles[k].set(vertex));
   }
 
   function descend(gradients) {
@@ -56,28 +51,17 @@ export function show(place) {
     [x, means, squares] = adamStep(triangle.flat(), gradients.flat(), means, squares, step,
                                    rate(step));
     triangle = [0, 1, 2].map((k) => [clamp(x[2 * k], 0, WIDTH), clamp(x[2 * k + 1], 0, HEIGHT)]);
-    triangle.forEach((vertex, k) => handles[k].set(vertex));
   }
 
   function draw() {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     losses[step] = found.loss;
     const longest = Math.max(...found.gradients.map((g) => Math.hypot(...g)), 1e-9);
-    const pixels = Array.from(found.picture, (shade, n) => {
-      const [at, wanted] = [[n % WIDTH, Math.floor(n / WIDTH)], target[n]];
-      return [["agrees", Math.min(shade, wanted)], ["extra", shade - wanted],
-              ["missing", wanted - shade]].filter(([, share]) => share > 0.004)
-        .map(([style, share]) => {
-          const square = sheet.rectangle(at, 1, 1, style);
-          square.setAttribute("fill-opacity", share.toFixed(3));
-          return square;
-        });
-    });
     sheet.draw(
-      pixels.flat(), sheet.line([...TARGET, TARGET[0]], "goal"),
-      sheet.line([...triangle, triangle[0]], "outline found"),
-      found.loss < FOUND ? [] : triangle.map((vertex, k) => sheet.arrow(vertex, vertex.map(
-        (t, axis) => t - ARROW * found.gradients[k][axis] / longest), "descent")));
+      Array.from(found.picture, (shade, n) => pixel(n, shade, target[n])),
+      sheet.polygon(TARGET, "goal"), sheet.polygon(triangle, "outline found"),
+      found.loss < FOUND ? [] : triangle.map((vertex, k) => sheet.arrow(
+        vertex, plus(vertex, found.gradients[k], -ARROW / longest), "descent")));
     curve.draw(curve.line([[0, 0], [0, LOWEST * 14], [STEPS, LOWEST * 14]], "axis"),
       curve.text([6, -14], "loss", "label descent"),
       curve.text([STEPS, LOWEST * 14], "step", "end", [0, -20]),
@@ -87,14 +71,18 @@ export function show(place) {
     say(answer, verdict(triangle, found));
   }
 
-  begin(START);
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag a vertex, or press Play. ",
-      html("span", {}, html("b", { class: "missing" }, "Blue"), " pixels are missing, ",
-        html("b", { class: "extra" }, "orange"), " ones are too much. The ",
-        html("b", { class: "green" }, "green"), " arrows are the gradient, turned downhill.")),
+  /** What a pixel and its target agree on, and what one of them has more. */
+  function pixel(n, shade, wanted) {
+    const corner = centreOf(n, WIDTH).map((t) => t - 0.5);
+    return [["agrees", Math.min(shade, wanted)], ["extra", shade - wanted],
+            ["missing", wanted - shade]].filter(([, share]) => share > 0.004)
+      .map(([style, share]) => sheet.rectangle(corner, 1, 1, style, `fill-opacity: ${share}`));
+  }
+
+  fill(place, draw, "Drag a vertex, or press Play.",
+    '<b class="blue">Blue</b> pixels are missing, <b class="orange">orange</b> ones are too ' +
+      'much. The <b class="green">green</b> arrows are the gradient, turned downhill.',
     sheet.box,
     html("div", { class: "told" }, said, answer, curve.box,
-      html("div", { class: "row" }, ...buttons))));
-  draw();
+      html("div", { class: "row" }, ...buttons)));
 }

@@ -1,5 +1,7 @@
 /** Lecture 02: three edge functions decide which pixels a triangle covers. */
-import { button, centreOf, clamp, eachFrame, html, number, Sheet } from "./paper.js";
+import { button, centres, clamp, counted, fill, html, number, Sheet } from "./paper.js";
+import { probePixels } from "./picture.js";
+import { dot, minus } from "./vectors.js";
 
 const WIDTH = 12, HEIGHT = 8;
 const START = [[1.25, 2.25], [8.5, 1.5], [5.5, 7.5], [11.25, 5.25]];
@@ -55,54 +57,40 @@ function verdict(p, triangle) {
 
 /** Is p on the edge from a to b, between its ends? */
 function isOnEdge(p, a, b) {
-  const along = (p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1]);
-  const whole = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
-  return edgeFunction(p, a, b) === 0 && along > 0 && along < whole;
+  const edge = minus(b, a), along = dot(minus(p, a), edge);
+  return edgeFunction(p, a, b) === 0 && along > 0 && along < dot(edge, edge);
 }
 
 export function show(place) {
-  const redraw = eachFrame(draw);
   let points = START, p = CHOSEN;
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "Two triangles with a shared edge on a grid of 12 by 8 pixels", redraw);
+    "Two triangles with a shared edge on a grid of 12 by 8 pixels", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   const shared = html("p");
 
-  const handles = points.map((at, k) => sheet.handle({
+  START.forEach((_, k) => sheet.handle({
     name: k < 3 ? `Vertex ${k}` : "The neighbour's vertex", mark: String(k),
-    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT], at,
-    moved: (to) => {
-      points = points.map((point, n) => (n === k ? to : point));
-      redraw();
-    } }));
-  const probe = sheet.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-    moved: (to) => {
-      p = to;
-      redraw();
-    } });
+    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT],
+    at: () => points[k], moved: (to) => { points = points.with(k, to); } }));
+  const choose = probePixels([sheet], CHOSEN, (to) => { p = to; });
   const reset = button("Reset", () => {
-    START.forEach((point, k) => handles[k].set(point));
-    points = START;
-    probe.go(CHOSEN);
+    choose(CHOSEN);
+    [points, p] = [START, CHOSEN];
   });
 
   function draw() {
     const triangle = points.slice(0, 3);
     const [edges, l] = [edgesAt(p, triangle), screenWeights(p, triangle)];
     const second = [points[2], points[1], points[3]];
-    const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) => {
-      const centre = centreOf(n, WIDTH);
-      return { centre, first: isCovered(centre, triangle), second: isCovered(centre, second),
-               onEdge: isOnEdge(centre, points[1], points[2]) };
-    });
+    const seen = centres(WIDTH, HEIGHT).map((centre) => ({
+      centre, first: isCovered(centre, triangle), second: isCovered(centre, second),
+      onEdge: isOnEdge(centre, points[1], points[2]) }));
     const kind = ({ first, second }) =>
       (first && second ? "both" : first ? "first" : second ? "second" : "none");
     sheet.draw(
       seen.map((pixel) => sheet.rectangle(pixel.centre.map((t) => t - 0.5), 1, 1,
                                           `pixel ${kind(pixel)}`)),
-      sheet.line([...second, second[0]], "outline second"),
+      sheet.polygon(second, "outline second"),
       EDGES.map(([i, j], k) => sheet.line([triangle[i], triangle[j]],
         `outline first ${edges[k].owns ? "thick" : ""}`)),
       seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 6.5 : 2.5,
@@ -119,7 +107,7 @@ export function show(place) {
 
   /** An edge's label stands on its right, outside of the triangle. */
   function named(a, b, words) {
-    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+    const [dx, dy] = minus(b, a);
     const length = Math.hypot(dx, dy) || 1, half = 48 / sheet.scale;
     const middle = [(a[0] + b[0]) / 2 + half * dy / length, (a[1] + b[1]) / 2];
     return sheet.text([clamp(middle[0], half, WIDTH - half), middle[1]], words,
@@ -129,17 +117,14 @@ export function show(place) {
   function tell(seen) {
     const onEdge = seen.filter((pixel) => pixel.onEdge);
     const count = (list, test) => list.filter(test).length;
-    shared.innerHTML = `${onEdge.length} sample${onEdge.length === 1 ? "" : "s"} on the ` +
-      `shared edge: <b class="blue">${count(onEdge, ({ first }) => first)} blue</b>, ` +
+    shared.innerHTML = `${counted(onEdge.length, "sample")} on the shared edge: ` +
+      `<b class="blue">${count(onEdge, ({ first }) => first)} blue</b>, ` +
       `<b class="orange">${count(onEdge, ({ second }) => second)} orange</b>. ` +
       `In both: ${count(seen, ({ first, second }) => first && second)}. ` +
       `Missed: ${count(onEdge, ({ first, second }) => !first && !second)}.`;
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the vertices, and point at a pixel. ",
-      html("span", {}, "Thick edges are top-left. At the vertices: the pixel's weights.")),
-    sheet.box,
-    html("div", { class: "told" }, answer, shared, reset)));
-  draw();
+  fill(place, draw, "Drag the vertices, and point at a pixel.",
+    "Thick edges are top-left. At the vertices: the pixel's weights.",
+    sheet.box, html("div", { class: "told" }, answer, shared, reset));
 }

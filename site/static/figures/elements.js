@@ -3,7 +3,9 @@
 const SVG = "http://www.w3.org/2000/svg";
 
 function filled(element, attributes, children) {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== undefined) element.setAttribute(name, value);
+  }
   element.append(...children);
   return element;
 }
@@ -21,14 +23,36 @@ export function number(x, decimals = 3) {
   return `${rounded < 0 ? "−" : ""}${Math.abs(rounded)}`;
 }
 
+/** 1, "shade" -> "1 shade"; 2, "shade" -> "2 shades". */
+export const counted = (count, noun) =>
+  `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+
 export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
 /** The centre of pixel n of a picture, rows from below. */
 export const centreOf = (n, width) => [n % width + 0.5, Math.floor(n / width) + 0.5];
 
+/** A polygon that looks like the unit circle. */
+export const CIRCLE = Array.from({ length: 60 }, (_, n) =>
+  [Math.cos(n * Math.PI / 30), Math.sin(n * Math.PI / 30)]);
+
+export const centres = (width, height) =>
+  Array.from({ length: width * height }, (_, n) => centreOf(n, width));
+
 /** Says a sentence once: what is written again, a screen reader says again. */
 export function say(answer, sentence) {
   if (answer.textContent !== sentence) answer.textContent = sentence;
+}
+
+/** Fills a figure's place: what there is to do and to know, then its parts. What their sliders and
+ *  buttons change is drawn. */
+export function fill(place, draw, todo, hint, ...parts) {
+  const task = html("p", { class: "task" });
+  task.innerHTML = `${todo} <span>${hint}</span>`;
+  const pane = html("div", { class: "pane" }, task, ...parts);
+  for (const act of ["input", "click"]) pane.addEventListener(act, () => soon(draw));
+  place.append(pane);
+  draw();
 }
 
 /** A slider with its label and its value. changed(value) is called when it moves. -> set(value) */
@@ -47,20 +71,21 @@ export function slider({ label, min, max, step, value, unit = "", changed }) {
   return { set, element: html("label", { class: "slider" }, html("span", {}, label), input, said) };
 }
 
-/** -> a function that has draw() called in the next animation frame: once, however often asked. */
-export function eachFrame(draw) {
-  let asked = 0;
-  return () => {
-    asked ||= requestAnimationFrame(() => {
-      asked = 0;
-      draw();
-    });
-  };
+const asked = new Set();
+
+/** draw() is called in the next animation frame: once, however often asked. */
+export function soon(draw) {
+  if (asked.has(draw)) return;
+  asked.add(draw);
+  requestAnimationFrame(() => {
+    asked.delete(draw);
+    draw();
+  });
 }
 
-/** A button that plays: step(), which draws, is called in each animation frame until it returns
+/** A button that plays: step() and draw() are called in each animation frame until step() returns
  *  false, the button is pressed again, or nobody sees it. -> element, stop() */
-export function player(label, step) {
+export function player(label, step, draw) {
   let frame = 0;
   const element = button(label, () => (frame ? stop() : go()));
   const stop = () => {
@@ -70,19 +95,22 @@ export function player(label, step) {
   };
   const go = () => {
     element.textContent = "Pause";
-    frame = requestAnimationFrame(() => (step() === false ? stop() : go()));
+    frame = requestAnimationFrame(() => {
+      if (step() === false) stop();
+      else go();
+      draw();
+    });
   };
   new IntersectionObserver(([{ isIntersecting }]) => isIntersecting || stop()).observe(element);
   return { element, stop };
 }
 
-/** Play calls step(), as player says. Reset stops it, and calls begin() and draw(). -> both. */
+/** Play calls step() and draw(), as player says. Reset stops it, and calls begin(). -> both. */
 export function playAndReset(step, begin, draw) {
-  const play = player("Play", step);
+  const play = player("Play", step, draw);
   return [play.element, button("Reset", () => {
     play.stop();
     begin();
-    draw();
   })];
 }
 

@@ -1,5 +1,6 @@
 /** Meshes on a canvas, seen along -z. vertices: x, y, z of each, in a row. faces: [a, b, c]. */
 import { html } from "./elements.js";
+import { cross, dot, minus } from "./vectors.js";
 
 const LIGHT = [-0.45, 0.65, 0.62];
 
@@ -20,36 +21,31 @@ export function canvasOf(sheet) {
   };
 }
 
-function trace(path, vertices, [a, b, c]) {
-  path.moveTo(vertices[3 * a], vertices[3 * a + 1]);
-  path.lineTo(vertices[3 * b], vertices[3 * b + 1]);
-  path.lineTo(vertices[3 * c], vertices[3 * c + 1]);
+function trace(path, [a, b, c]) {
+  path.moveTo(a[0], a[1]);
+  path.lineTo(b[0], b[1]);
+  path.lineTo(c[0], c[1]);
   path.closePath();
-}
-
-function normalOf(vertices, [a, b, c]) {
-  const side = (end, axis) => vertices[3 * end + axis] - vertices[3 * a + axis];
-  return [side(b, 1) * side(c, 2) - side(b, 2) * side(c, 1),
-          side(b, 2) * side(c, 0) - side(b, 0) * side(c, 2),
-          side(b, 0) * side(c, 1) - side(b, 1) * side(c, 0)];
 }
 
 /** The faces that are seen from the front, the farthest first. */
 function inOrder(vertices, faces) {
-  return faces.map((face) => ({ face, normal: normalOf(vertices, face),
-                                depth: face.reduce((sum, i) => sum + vertices[3 * i + 2], 0) }))
-    .filter(({ normal }) => normal[2] > 0).sort((one, other) => one.depth - other.depth);
+  return faces.map((face) => {
+    const corners = face.map((i) => [vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]]);
+    const [a, b, c] = corners;
+    return { face, corners, normal: cross(minus(b, a), minus(c, a)), depth: a[2] + b[2] + c[2] };
+  }).filter(({ normal }) => normal[2] > 0).sort((one, other) => one.depth - other.depth);
 }
 
 /** Faces, each in one shade. colourOf(face) -> [red, green, blue] from 0 to 255. */
 export function paint(context, vertices, faces, colourOf) {
-  for (const { face, normal: [x, y, z] } of inOrder(vertices, faces)) {
-    const facing = (x * LIGHT[0] + y * LIGHT[1] + z * LIGHT[2]) / Math.hypot(x, y, z);
+  for (const { face, corners, normal } of inOrder(vertices, faces)) {
+    const facing = dot(normal, LIGHT) / Math.hypot(...normal);
     const shade = 0.45 + 0.55 * Math.abs(facing) ** 0.8;
     context.fillStyle = context.strokeStyle =
       `rgb(${colourOf(face).map((t) => Math.round(shade * t)).join(" ")})`;
     context.beginPath();
-    trace(context, vertices, face);
+    trace(context, corners);
     context.fill();
     context.stroke(); // closes the gap to the next face
   }
@@ -58,6 +54,6 @@ export function paint(context, vertices, faces, colourOf) {
 /** The outline of a mesh, to be filled. */
 export function silhouette(vertices, faces) {
   const path = new Path2D();
-  inOrder(vertices, faces).forEach(({ face }) => trace(path, vertices, face));
+  inOrder(vertices, faces).forEach(({ corners }) => trace(path, corners));
   return path;
 }

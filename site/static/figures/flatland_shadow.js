@@ -1,5 +1,6 @@
 /** Lecture 14: in flatland the light's map is one row of texels, and one bias is never right. */
-import { button, clamp, eachFrame, html, number, Sheet, slider } from "./paper.js";
+import { button, clamp, fill, html, number, Sheet, slider } from "./paper.js";
+import { dot, minus, plus } from "./vectors.js";
 
 const TEXELS = 18, MAP_HIGH = 3.4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
 const WALL = [[FOOT, 0], [FOOT, TOP], [BEHIND, TOP], [BEHIND, 0]];
@@ -9,14 +10,14 @@ const START = [1.6, 4], BIAS = 0.15;
 const GOOD = { true: "lit", false: "dark" }, WRONG = { true: "leak", false: "acne" };
 
 /** Eq. (1): a point in the light's frame. The rows of rotation are its x and its z axis. */
-export const toLight = ([x, y], position, rotation) =>
-  rotation.map(([right, up]) => right * (x - position[0]) + up * (y - position[1]));
+export const toLight = (p, position, rotation) =>
+  rotation.map((axis) => dot(axis, minus(p, position)));
 
 /** Eq. (2) of a point light, for which w is the distance. */
 export const mapPosition = ([qX, qZ], c00, width) => (c00 * qX / -qZ + 1) * width / 2;
 
 /** Eq. (3), its right side: the texel at floor x. */
-export const storedDistance = (distanceMap, x) =>
+const storedDistance = (distanceMap, x) =>
   (x >= 0 && x < distanceMap.length ? distanceMap[Math.floor(x)] : Infinity);
 
 /** Eq. (3). */
@@ -85,8 +86,8 @@ const places = Array.from({ length: SAMPLES }, (_, n) => [(n + 0.5) * GROUND / S
 
 /** The point of the world that lies at place x of the map in this distance. */
 function worldAt({ position, rotation: [right, back], c00 }, x, distance) {
-  const across = uOf(x, c00, TEXELS) * distance;
-  return position.map((t, k) => t + across * right[k] - distance * back[k]);
+  const u = uOf(x, c00, TEXELS);
+  return plus(position, minus(right.map((t) => u * t), back), distance);
 }
 
 /** Eq. (4) of the ground y = 0, without an end, at place x of the map. */
@@ -110,27 +111,19 @@ function runs(samples) {
 
 export function show(place) {
   let position = START, constant = BIAS, factor = 0;
-  const ask = eachFrame(draw);
-  const world = new Sheet([0, GROUND, -0.25, 4.25], "A light, a wall and its shadow", ask);
-  const map = new Sheet([0, TEXELS, -MAP_HIGH, 0], "The light's map: a depth in each texel", ask);
+  const world = new Sheet([0, GROUND, -0.25, 4.25], "A light, a wall and its shadow", draw);
+  const map = new Sheet([0, TEXELS, -MAP_HIGH, 0], "The light's map: a depth in each texel", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   world.box.classList.add("cut");
   map.box.classList.add("cut");
-  world.handle({ name: "Light", style: "second", step: 0.05, at: START,
-                 limits: [0.3, GROUND - 0.3, 2.6, 4], moved: (to) => {
-                   position = to;
-                   ask();
-                 } });
+  world.handle({ name: "Light", style: "second", step: 0.05, at: () => position,
+                 limits: [0.3, GROUND - 0.3, 2.6, 4], moved: (to) => { position = to; } });
   const control = slider({ label: "bias", min: 0, max: 1.5, step: 0.01, value: BIAS,
-                           changed: (to) => {
-                             constant = to;
-                             ask();
-                           } });
+                           changed: (to) => { constant = to; } });
   control.element.firstChild.classList.add("green");
   const sloped = button("+ slope × ½ texel", () => {
     factor = 1 - factor;
     sloped.setAttribute("aria-pressed", factor === 1);
-    ask();
   });
   sloped.setAttribute("aria-pressed", false);
 
@@ -151,10 +144,11 @@ export function show(place) {
     const bias = (x) => slopeScaledBias(groundSlope(light, x), constant, factor);
     sheet.draw(
       distanceMap.map((d, k) => [
-        sheet.line([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)], `beam ${k % 2 ? "odd" : ""}`),
-        sheet.line([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
-                   "beam bias")]),
-      sheet === world ? world.line(WALL, "wall") : [],
+        sheet.polygon([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)],
+                      `beam ${k % 2 ? "odd" : ""}`),
+        sheet.polygon([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
+                      "beam bias")]),
+      sheet === world ? world.polygon(WALL, "wall") : [],
       runs(samples).map((run) =>
         sheet.line(run.map(({ x, distance }) => at(x, distance)), `ground ${run.at(-1).kind}`)),
       sheet === world ? world.text([BEHIND, TOP], "wall", "", [6, -4]) : named(samples));
@@ -171,16 +165,14 @@ export function show(place) {
   function tell(samples) {
     const share = (kind) => number(
       100 * samples.filter((sample) => sample.kind === kind).length / samples.length, 1);
-    answer.replaceChildren(
-      html("span", { class: "blue" }, `${share("acne")}% of the ground is wrongly dark: acne.`),
-      " ", html("span", { class: "red" }, `${share("leak")}% is wrongly lit: light leaks.`));
+    answer.innerHTML =
+      `<span class="blue">${share("acne")}% of the ground is wrongly dark: acne.</span> ` +
+      `<span class="red">${share("leak")}% is wrongly lit: light leaks.</span>`;
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the light. Change the bias. ",
-      html("span", {}, "What a texel’s beam reaches is lit. ",
-           html("b", { class: "green" }, "The bias"), " makes it longer.")),
+  fill(place, draw, "Drag the light. Change the bias.",
+    'What a texel’s beam reaches is lit. <b class="green">The bias</b> makes it longer.',
     html("div", { class: "wide" }, world.box), html("div", { class: "wide" }, map.box),
     html("div", { class: "told" }, control.element, sloped),
-    html("div", { class: "told" }, answer)));
+    html("div", { class: "told" }, answer));
 }

@@ -2,9 +2,10 @@
 import { covered, render, renderBackward } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
 import { softSilhouette, softSilhouetteBackward, sweepBackward } from "./outline_gradients.js";
-import { button, clamp, eachFrame, html, number, slider } from "./paper.js";
+import { button, clamp, fill, html, number, say, slider } from "./paper.js";
 import { Picture, toSrgb } from "./picture.js";
 import { pixelCoverage, pixelCoverageBackward } from "./pixel_coverage.js";
+import { dot, minus, plus } from "./vectors.js";
 
 const WIDTH = 24, HEIGHT = 14, SIZE = [WIDTH, HEIGHT];
 const GOAL = [[15, 2.5], [22, 4.75], [17, 11.25]];
@@ -20,7 +21,7 @@ const WHY = {
 };
 
 /** Each method's picture of a triangle, and its gradient by the vertices, in pixels. */
-export const METHODS = {
+const METHODS = {
   truth: (triangle) => ({
     picture: pixelCoverage(triangle, ...SIZE),
     backward: (grad) => pixelCoverageBackward(grad, triangle, WIDTH) }),
@@ -40,21 +41,20 @@ export const METHODS = {
 };
 
 /** A method's picture, and its gradient of the squared difference from a target's coverage. */
-export function gradientBy(name, triangle, target, setting) {
+function gradientBy(name, triangle, target, setting) {
   const { picture, backward } = METHODS[name](triangle, setting);
   return { picture, gradient: backward(picture.map((value, n) => 2 * (value - target[n]))) };
 }
 
+const totalOf = (vectors) => vectors.reduce((sum, vector) => plus(sum, vector));
+
 /** The middle of a triangle. */
-const middleOf = (points) => [0, 1].map((axis) =>
-  points.reduce((sum, point) => sum + point[axis], 0) / 3);
+const middleOf = (points) => totalOf(points).map((t) => t / 3);
 
 /** How strongly a descent step pulls the triangle as a whole to the target. */
-export function pullTo(target, triangle, gradient) {
-  const [from, to] = [middleOf(triangle), middleOf(target)];
-  const way = [to[0] - from[0], to[1] - from[1]];
-  const along = gradient.reduce((sum, g) => sum - g[0] * way[0] - g[1] * way[1], 0);
-  return along / Math.max(Math.hypot(...way), 1e-9);
+function pullTo(target, triangle, gradient) {
+  const way = minus(middleOf(target), middleOf(triangle));
+  return -dot(totalOf(gradient), way) / Math.max(Math.hypot(...way), 1e-9);
 }
 
 /** The arrow of a descent step. Its length is a logarithm: 1 is seen, and 1000 fits. */
@@ -63,46 +63,28 @@ function arrowOf([x, y]) {
   return [x, y].map((t) => (length > 0 ? -t * Math.asinh(length) / length : 0));
 }
 
-const plus = ([x, y], [dx, dy]) => [x + dx, y + dy];
-
 export function show(place) {
   const target = pixelCoverage(GOAL, ...SIZE), names = Object.keys(METHODS);
   const settings = { sweep: 0.01, soft: 5 };
   let points = START, name = "sweep";
-  const redraw = eachFrame(draw);
   const picture = new Picture(WIDTH, HEIGHT,
-    "A triangle, its target, and arrows: where a descent step moves vertices and triangle", redraw);
+    "A triangle, its target, and arrows: where a descent step moves vertices and triangle", draw);
   const why = html("p", { class: "why", role: "status" });
   const pulls = names.map(() => html("b"));
   const buttons = names.map((method, k) => {
-    const element = button(method, () => choose(method));
+    const element = button(method, () => { name = method; });
     element.classList.add(method);
     element.append(pulls[k]);
     return element;
   });
   const sliders = {
     sweep: slider({ label: "log₁₀ ε", min: -4, max: -1, step: 0.25, value: -2,
-                    changed: (to) => set("sweep", 10 ** to) }),
+                    changed: (to) => { settings.sweep = 10 ** to; } }),
     soft: slider({ label: "σ", min: 0.05, max: 5, step: 0.05, value: 5,
-                   changed: (to) => set("soft", to) }) };
+                   changed: (to) => { settings.soft = to; } }) };
   const grid = { style: "ink", step: 0.25, limits: [0, WIDTH, 0, HEIGHT] };
-  const whole = picture.handle({ ...grid, name: "The triangle", at: middleOf(START),
-                                 moved: moveAll });
-  const vertex = picture.handle({ ...grid, name: "Vertex 2", mark: "2", at: START[2],
-                                  moved: moveOne });
-
-  function set(method, value) {
-    settings[method] = value;
-    redraw();
-  }
-
-  function choose(method) {
-    name = method;
-    names.forEach((other, k) => buttons[k].setAttribute("aria-pressed", other === name));
-    for (const key of Object.keys(sliders)) sliders[key].element.hidden = key !== name;
-    why.textContent = WHY[name];
-    redraw();
-  }
+  picture.handle({ ...grid, name: "The triangle", at: () => middleOf(points), moved: moveAll });
+  picture.handle({ ...grid, name: "Vertex 2", mark: "2", at: () => points[2], moved: moveOne });
 
   function moveAll(to) {
     const shift = middleOf(points).map((from, axis) => {
@@ -110,52 +92,42 @@ export function show(place) {
       return clamp(Math.round(4 * (to[axis] - from)) / 4,
                    -Math.min(...along), SIZE[axis] - Math.max(...along));
     });
-    put(points.map((point) => plus(point, shift)));
+    points = points.map((point) => plus(point, shift));
   }
 
   function moveOne(to) {
-    const moved = [points[0], points[1], to];
-    put(signedArea(moved) > 2 ? moved : points);
-  }
-
-  function put(moved) {
-    points = moved;
-    whole.set(middleOf(points));
-    vertex.set(points[2]);
-    redraw();
+    const moved = points.with(2, to);
+    if (signedArea(moved) > 2) points = moved;
   }
 
   function draw() {
     const found = Object.fromEntries(names.map((method) =>
       [method, gradientBy(method, points, target, settings[method])]));
     names.forEach((method, k) => {
+      buttons[k].setAttribute("aria-pressed", method === name);
       pulls[k].textContent = number(pullTo(GOAL, points, found[method].gradient), 0);
     });
-    picture.paint((x, y) => {
-      const n = Math.floor(y) * WIDTH + Math.floor(x);
-      return TINT.map((tint) =>
-        toSrgb((1 - 0.8 * found[name].picture[n]) * (1 - tint * target[n])));
-    });
+    for (const key of Object.keys(sliders)) sliders[key].element.hidden = key !== name;
+    say(why, WHY[name]);
+    picture.paint((n) => TINT.map((tint) =>
+      toSrgb((1 - 0.8 * found[name].picture[n]) * (1 - tint * target[n]))));
     const middle = middleOf(points);
     const arrows = (method) => [
       ...points.map((point, k) => picture.arrow(
         point, plus(point, arrowOf(found[method].gradient[k])), `pull ${method}`)),
-      picture.arrow(middle, plus(middle, arrowOf(found[method].gradient.reduce(plus))),
+      picture.arrow(middle, plus(middle, arrowOf(totalOf(found[method].gradient))),
                     `pull all ${method}`)];
-    picture.draw(picture.line([...GOAL, GOAL[0]], "outline second"),
+    picture.draw(picture.polygon(GOAL, "outline second"),
                  picture.text([20.3, 8.7], "target", "label second"),
-                 picture.line([...points, points[0]], "outline own"),
+                 picture.polygon(points, "outline ink"),
                  arrows("truth"), name === "truth" ? [] : arrows(name));
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Which gradient knows where the target is? ",
-      html("span", {}, "Choose one. Drag the triangle by its middle, or its vertex 2. ",
-        "Black arrows: the truth.")),
+  fill(place, draw, "Which gradient knows where the target is?",
+    "Choose one. Drag the triangle by its middle, or its vertex 2. Black arrows: the truth.",
     picture.box,
     html("div", { class: "told" },
       html("p", {}, "Pull on the whole triangle (thick arrow), towards the target (0: none):"),
       html("div", { class: "four", role: "group", "aria-label": "Gradient" }, ...buttons),
-      why, html("div", { class: "setting" }, ...Object.values(sliders).map((s) => s.element)))));
-  choose(name);
+      why, html("div", { class: "setting" }, ...Object.values(sliders).map((s) => s.element))));
 }

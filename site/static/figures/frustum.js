@@ -1,5 +1,6 @@
 /** Lecture 01: the divide makes the frustum a square, and half of its depth lies near the eye. */
-import { eachFrame, html, number, Sheet } from "./paper.js";
+import { fill, html, number, Sheet } from "./paper.js";
+import { dot } from "./vectors.js";
 
 const FAR = 6, ASPECT = 1, HIGH = 0.4;         // posts reach from -HIGH to HIGH
 const POSTS = Array.from({ length: 11 }, (_, k) => (k + 1) / 2);
@@ -26,8 +27,7 @@ export const perspective = (fovY, aspect, near, far) =>
   frustum(...frustumSides(fovY, aspect, near), near, far);
 
 /** Eq. (2), one matrix of it. */
-export const transform = (point, matrix) =>
-  matrix.map((row) => row.reduce((sum, entry, k) => sum + entry * point[k], 0));
+export const transform = (point, matrix) => matrix.map((row) => dot(row, point));
 
 /** Eq. (7). */
 export const perspectiveDivide = ([x, y, z, w]) => [x / w, y / w, z / w];
@@ -36,28 +36,19 @@ export const perspectiveDivide = ([x, y, z, w]) => [x / w, y / w, z / w];
 export const halfway = (near, far) => 2 * near * far / (near + far);
 
 /** Red at the eye, blue at the far plane, in both pictures. */
-function coloured(line, distance) {
-  line.style.stroke = `color-mix(in oklab, var(--red), var(--blue) ${100 * distance / FAR}%)`;
-  return line;
-}
+const colourAt = (distance) =>
+  `stroke: color-mix(in oklab, var(--red), var(--blue) ${100 * distance / FAR}%)`;
 
 export function show(place) {
   let near = NEAR, top = TOP;
-  const ask = eachFrame(draw);
   const scene = new Sheet([-0.5, FAR + 0.6, -3.7, 3.2],
-                          "The camera and its frustum, from the side", ask);
-  const ndc = new Sheet([-1.2, 1.2, -1.25, 1.15], "The same in ndc, a square", ask);
+                          "The camera and its frustum, from the side", draw);
+  const ndc = new Sheet([-1.2, 1.2, -1.25, 1.15], "The same in ndc, a square", draw);
   const answer = html("p", { class: "wide verdict", role: "status" });
-  scene.handle({ name: "Near plane", mark: "↔", style: "edge", step: 0.05, at: [near, GRIP],
-                 limits: [0.2, 3.5, GRIP, GRIP], moved: ([to]) => {
-                   near = to;
-                   ask();
-                 } });
-  scene.handle({ name: "Field of view", mark: "↕", step: 0.05, at: [FAR, top],
-                 limits: [FAR, FAR, 0.8, 2.8], moved: ([, to]) => {
-                   top = to;
-                   ask();
-                 } });
+  scene.handle({ name: "Near plane", mark: "↔", style: "edge", step: 0.05, at: () => [near, GRIP],
+                 limits: [0.2, 3.5, GRIP, GRIP], moved: ([to]) => { near = to; } });
+  scene.handle({ name: "Field of view", mark: "↕", step: 0.05, at: () => [FAR, top],
+                 limits: [FAR, FAR, 0.8, 2.8], moved: ([, to]) => { top = to; } });
 
   function draw() {
     const fovY = 2 * Math.atan(top / FAR), half = halfway(near, FAR);
@@ -81,30 +72,27 @@ export function show(place) {
       ndc.text([-1, -1], "z = −1", "label edge middle", [10, -20]),
       ndc.text([0, -1], "0", "middle", [0, -20]),
       ndc.text([1, -1], "z = 1", "label first middle", [-10, -20]));
-    answer.replaceChildren(
-      html("span", { class: "green" }, "Half of the depth"),
-      `, −1 to 0, lies before distance ${number(half, 2)}, less than twice `,
-      html("span", { class: "red" }, "near"), ".");
+    answer.innerHTML = '<span class="green">Half of the depth</span>, −1 to 0, lies before ' +
+      `distance ${number(half, 2)}, less than twice <span class="red">near</span>.`;
   }
 
   /** In both sheets the same, between the planes: at(distance, y) is where it is there. */
   function seen(sheet, at, half) {
     const t = (d) => top * d / FAR;
-    const piece = (from, to, style) => sheet.line(
+    const piece = (from, to, style) => sheet.polygon(
       [at(from, -t(from)), at(from, t(from)), at(to, t(to)), at(to, -t(to))], style);
-    const across = (d, high, style) => sheet.line([at(d, -high), at(d, high)], style);
+    const across = (d, high, style, css) => sheet.line([at(d, -high), at(d, high)], style, css);
     const posts = POSTS.filter((d) => d >= near);
     return [
       piece(near, half, "volume half"), piece(half, FAR, "volume"),
       [-1, -0.5, 0, 0.5, 1].map((k) => sheet.line([at(near, k * t(near)), at(FAR, k * t(FAR))],
                                                  "axis")),
-      posts.map((d) => coloured(across(d, t(d), "step"), d)),
-      posts.map((d) => coloured(across(d, Math.min(HIGH, t(d)), "post"), d)),
+      posts.map((d) => across(d, t(d), "step", colourAt(d))),
+      posts.map((d) => across(d, Math.min(HIGH, t(d)), "post", colourAt(d))),
       across(near, t(near), "plane red"), across(FAR, t(FAR), "plane blue")];
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the near plane, or the field of view. ",
-      html("span", {}, "The posts are of equal size and stand at equal steps.")),
-    html("div", { class: "two" }, scene.box, ndc.box), answer));
+  fill(place, draw, "Drag the near plane, or the field of view.",
+    "The posts are of equal size and stand at equal steps.",
+    html("div", { class: "two" }, scene.box, ndc.box), answer);
 }

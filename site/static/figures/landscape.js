@@ -1,9 +1,14 @@
 /** Lecture 09: the loss over all places of one vertex, sampled and blended. */
 import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
-import { centreOf, clamp, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
+import { isCovered } from "./edge_functions.js";
+import { centreOf, centres, clamp, fill, html, playAndReset, say, soon } from "./paper.js";
+import { Picture } from "./picture.js";
+import { between, plus } from "./vectors.js";
 
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
+const COLUMNS = WIDTH * FINE, ROWS = HEIGHT * FINE;         // of the map
+const WHITE = [0.94, 0.94, 0.94], BLUE = [0.16, 0.51, 0.73];
 const STEPS = 200, BUDGET = 8;            // ms of a frame, for the map
 const ARROW = 1.8, FOUND = 1e-6;         // pixels; the loss where the arrow ends
 
@@ -23,18 +28,17 @@ export function lossAt(vertex, isBlended) {
 const TARGET = render(GOAL, WIDTH, HEIGHT).picture;
 const SAMPLED = covered(GOAL, WIDTH, HEIGHT).map(Number);
 
-/** The colour of a loss: white at 0, blue at the highest. Slopes are lit from the upper left. */
-function paint(pixels, n, loss, slope) {
-  const share = Math.min(1, Math.sqrt(loss / 0.15));
-  const light = clamp(1 - 12 * slope, 0.5, 1.2);
-  [40, 130, 185].forEach((dark, k) => {
-    pixels[4 * n + k] = light * (240 + share * (dark - 240));
-  });
-  pixels[4 * n + 3] = 255;
+/** The colour of place n: white where the loss is 0, blue where it is highest. Slopes are lit from
+ *  the upper left. */
+function colourOf(losses, n) {
+  const loss = losses[n], above = losses[n + COLUMNS] ?? loss;
+  const left = n % COLUMNS ? losses[n - 1] : loss;
+  const light = clamp(1 - 12 * (above - loss + left - loss), 0.5, 1.2);
+  return between(WHITE, BLUE, Math.min(1, Math.sqrt(loss / 0.15)))
+    .map((t) => Math.min(1, light * t));
 }
 
-/** The border of the places around place n that have its value, as [from, to] in places, row 0 at
- *  the top. */
+/** The border of the places around place n that have its value, as [from, to] in places. */
 export function plateauBorder(values, width, n) {
   const [seen, border] = [new Set([n]), []];
   for (const at of seen) {
@@ -52,57 +56,22 @@ export function plateauBorder(values, width, n) {
   return border;
 }
 
-/** Paints the map of all places, from above, a few rows in each frame, and keeps it in values.
- *  painted() is called at its end. -> a function: stop. */
-function paintMap(canvas, isBlended, values, painted) {
-  const { width, height } = canvas;
-  const context = canvas.getContext("2d");
-  const lossesOf = (row) => Float64Array.from({ length: width }, (_, n) =>
-    lossAt([(n + 0.5) / FINE, (height - row - 0.5) / FINE], isBlended).loss);
-  let row = 0, frame = 0, above = lossesOf(-1);
-  const go = () => {
-    const end = performance.now() + BUDGET;
-    for (; row < height && performance.now() < end; row++) {
-      const [image, losses] = [context.createImageData(width, 1), lossesOf(row)];
-      values.set(losses, row * width);
-      losses.forEach((loss, n) =>
-        paint(image.data, n, loss, above[n] - loss + losses[Math.max(n - 1, 0)] - loss));
-      context.putImageData(image, 0, row);
-      above = losses;
-    }
-    if (row < height) frame = requestAnimationFrame(go);
-    else painted();
-  };
-  go();
-  return () => cancelAnimationFrame(frame);
-}
-
 export function show(place) {
-  const values = new Float64Array(WIDTH * FINE * HEIGHT * FINE);
-  let vertex, path, means, squares, stopMap = () => {};
-  const redraw = eachFrame(draw);
-  const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "A map of the loss for each place of vertex 2 of a triangle", redraw);
-  const canvas = html("canvas", { width: WIDTH * FINE, height: HEIGHT * FINE,
-                                  "aria-hidden": "true" });
-  sheet.box.prepend(canvas);
-  sheet.box.classList.add("light");
+  const losses = new Float64Array(COLUMNS * ROWS); // of all places, below `row` not yet
+  let vertex, path, means, squares, row = ROWS;
+  begin(START);
+  const sheet = new Picture(WIDTH, HEIGHT,
+    "A map of the loss for each place of vertex 2 of a triangle", draw, FINE);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handle = sheet.handle({
-    name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT], at: START,
-    moved: (to) => {
-      begin(to);
-      redraw();
-    } });
+  sheet.handle({
+    name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT],
+    at: () => vertex, moved: begin });
   const blend = html("input", { type: "checkbox", checked: "" });
   blend.addEventListener("change", () => {
-    stopMap();
-    values.fill(NaN);
-    stopMap = paintMap(canvas, blend.checked, values, redraw);
+    row = ROWS;
     sheet.box.classList.toggle("through", !blend.checked);
     begin(vertex);
-    redraw();
   });
   const buttons = playAndReset(() => {
     const { loss, gradient } = lossAt(vertex, blend.checked);
@@ -112,30 +81,39 @@ export function show(place) {
                                         0.3 * 0.01 ** (n / STEPS));
     vertex = [clamp(vertex[0], 0, WIDTH), clamp(vertex[1], LOWEST, HEIGHT)];
     path.push(vertex);
-    handle.set(vertex);
-    draw();
     return true;
-  }, () => begin(START), redraw);
+  }, () => begin(START), draw);
 
   function begin(from) {
     [vertex, path, means, squares] = [from, [from], [0, 0], [0, 0]];
-    handle.set(vertex);
+  }
+
+  /** Finds the losses of more rows, the upper ones first, as long as a frame has time. */
+  function measure() {
+    const end = performance.now() + BUDGET;
+    while (row > 0 && performance.now() < end) {
+      row -= 1;
+      for (let n = row * COLUMNS; n < (row + 1) * COLUMNS; n++) {
+        losses[n] = lossAt(centreOf(n, COLUMNS).map((t) => t / FINE), blend.checked).loss;
+      }
+    }
+    sheet.paint((n) => colourOf(losses, n));
+    soon(draw);
   }
 
   function draw() {
+    if (row > 0) measure();
     const { loss, gradient } = lossAt(vertex, blend.checked);
     const length = Math.hypot(...gradient);
     const triangle = triangleOf(vertex), border = blend.checked ? [] : plateau();
     sheet.draw(
       ["halo", "curve second"].map((style) =>
         border.map((side) => sheet.line(side, style))),
-      covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
-        centreOf(n, WIDTH), 2.2, inside ? "sample point" : "sample")),
-      sheet.line([...GOAL, GOAL[0]], "goal"),
-      sheet.line([...triangle, triangle[0]], "outline found"),
-      sheet.line(path, "curve descent"),
-      length && loss >= FOUND ? sheet.arrow(vertex, vertex.map(
-        (t, k) => t - ARROW * gradient[k] / length), "descent") : []);
+      centres(WIDTH, HEIGHT).map((centre) => sheet.dot(
+        centre, 2.2, isCovered(centre, triangle) ? "sample point" : "sample")),
+      sheet.polygon(GOAL, "goal"), sheet.polygon(triangle, "outline found"),
+      sheet.line(path, "curve descent"), length && loss >= FOUND
+        ? sheet.arrow(vertex, plus(vertex, gradient, -ARROW / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
     say(answer, !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
@@ -144,22 +122,17 @@ export function show(place) {
 
   /** The border of the plateau that holds the vertex, once the map is there. */
   function plateau() {
-    if (Number.isNaN(values.at(-1))) return [];
-    const [column, row] = [vertex[0], HEIGHT - vertex[1]].map((t, k) =>
-      Math.min(Math.floor(t * FINE), [WIDTH, HEIGHT][k] * FINE - 1));
-    return plateauBorder(values, WIDTH * FINE, row * WIDTH * FINE + column).map((side) =>
-      side.map(([x, y]) => [x / FINE, HEIGHT - y / FINE]));
+    if (row > 0) return [];
+    const [x, y] = vertex.map((t, k) => Math.min(Math.floor(t * FINE), [COLUMNS, ROWS][k] - 1));
+    return plateauBorder(losses, COLUMNS, y * COLUMNS + x).map((side) =>
+      side.map((corner) => corner.map((t) => t / FINE)));
   }
 
-  begin(START);
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag vertex 2, then take the blend away. ",
-      html("span", {}, "The map is the loss for each place of vertex 2: white is low. The ",
-        html("b", { class: "green" }, "green"), " arrow points downhill.")),
+  fill(place, draw, "Drag vertex 2, then take the blend away.",
+    "The map is the loss for each place of vertex 2: white is low. " +
+      'The <b class="green">green</b> arrow points downhill.',
     sheet.box,
     html("div", { class: "told" }, said, answer,
       html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
-      html("div", { class: "row" }, ...buttons))));
-  stopMap = paintMap(canvas, true, values, redraw);
-  draw();
+      html("div", { class: "row" }, ...buttons)));
 }

@@ -1,9 +1,11 @@
 /** Lecture 11: pull a vertex of the cage, and Loop's limit surface follows. */
 import { canvasOf, paint } from "./facets.js";
-import { button, eachFrame, html, Sheet } from "./paper.js";
+import { button, fill, html, Sheet } from "./paper.js";
+import { between, cross, dot, minus } from "./vectors.js";
 
 const STEPS = 3, SHEET = [-1.1, 2.1, -0.92, 1.08];
 const RIM = 0.12;                         // the handle stays whole
+const BRASS = [214, 178, 132], BLUE = [0, 114, 230];
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 const TURN = [[0.86, 0.12, -0.5], [0.1, 0.92, 0.39], [0.5, -0.38, 0.78]];  // rows: right, up, near
 
@@ -13,15 +15,14 @@ export function icosahedron() {
   for (const a of [-1, 1]) {
     for (const b of [-GOLDEN, GOLDEN]) vertices.push([0, a, b], [a, b, 0], [b, 0, a]);
   }
-  const isNear = (i, j) => Math.hypot(...vertices[i].map((t, k) => t - vertices[j][k])) < 2.1;
+  const isNear = (i, j) => Math.hypot(...minus(vertices[i], vertices[j])) < 2.1;
   const faces = [];
   for (let i = 0; i < 12; i++) {
     for (let j = i + 1; j < 12; j++) {
       for (let k = j + 1; k < 12; k++) {
         if (!(isNear(i, j) && isNear(j, k) && isNear(k, i))) continue;
-        const outside = normal(vertices[i], vertices[j], vertices[k])
-          .reduce((sum, t, axis) => sum + t * vertices[i][axis], 0) > 0;
-        faces.push(outside ? [i, j, k] : [i, k, j]);
+        const volume = dot(vertices[i], cross(vertices[j], vertices[k]));
+        faces.push(volume > 0 ? [i, j, k] : [i, k, j]);
       }
     }
   }
@@ -29,16 +30,11 @@ export function icosahedron() {
   return { vertices: vertices.map((v) => v.map((t) => t / length)), faces };
 }
 
-function normal(a, b, c) {
-  const [u, v] = [b, c].map((p) => p.map((t, k) => t - a[k]));
-  return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-}
-
 /** Warren's weight of one neighbour, for a vertex with n of them. */
-export const warrenWeight = (n) => (n === 3 ? 3 / 16 : 3 / (8 * n));
+const warrenWeight = (n) => (n === 3 ? 3 / 16 : 3 / (8 * n));
 
 /** Eq. (6): the weight of one neighbour in a vertex's limit. */
-export const limitWeight = (n, u) => 1 / (n + 3 / (8 * u));
+const limitWeight = (n, u) => 1 / (n + 3 / (8 * u));
 
 const mix = (...parts) => parts[0][1].map((_, k) =>
   parts.reduce((sum, [weight, vector]) => sum + weight * vector[k], 0));
@@ -55,7 +51,7 @@ const pulled = (vertices, ring, v, u) =>
   mix([1 - ring.length * u, vertices[v]], ...ring.map((near) => [u, vertices[near]]));
 
 /** Eqs. (3) and (5) for a closed mesh: one step of Loop. A vertex has any number of numbers. */
-export function loop(vertices, faces) {
+function loop(vertices, faces) {
   const across = new Map(), numbers = new Map();
   const key = (i, j) => i * vertices.length + j;
   for (const face of faces) {
@@ -89,7 +85,7 @@ export function loopSurface(cage, faces, steps) {
   return { vertices: limits, faces: mesh.faces };
 }
 
-const seen = (p) => TURN.map((row) => row.reduce((sum, t, k) => sum + t * p[k], 0));
+const seen = (p) => TURN.map((row) => dot(row, p));
 
 export function show(place) {
   const { vertices, faces } = icosahedron();
@@ -102,26 +98,21 @@ export function show(place) {
   const edges = faces.flatMap((face) => face.map((v, k) => [v, face[(k + 1) % 3]]))
     .filter(([i, j]) => i < j);
   let cage = start;
-  const redraw = eachFrame(draw);
   const sheet = new Sheet(SHEET,
-    "A cage of twenty triangles, and the smooth surface in it", redraw);
+    "A cage of twenty triangles, and the smooth surface in it", draw);
   const begun = canvasOf(sheet);
-  const handle = sheet.handle({
-    name: "Vertex of the cage", step: 0.1, at: start[held].slice(0, 2),
+  sheet.handle({
+    name: "Vertex of the cage", step: 0.1, at: () => cage[held].slice(0, 2),
     limits: SHEET.map((t, k) => t + (k % 2 ? -RIM : RIM)),
-    moved: ([x, y]) => {
-      cage = cage.map((v, n) => (n === held ? [x, y, v[2]] : v));
-      redraw();
-    } });
-  const reset = button("Reset", () => handle.go(start[held].slice(0, 2)));
+    moved: ([x, y]) => { cage = cage.with(held, [x, y, cage[held][2]]); } });
+  const reset = button("Reset", () => { cage = start; });
   const touched = weights.filter((w) => w > 1e-9).length;
   const strongest = Math.max(...weights);
 
   /** The bluer a face, the more of the held vertex is in it. */
   function colourOf(face) {
-    const share = (face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest)) ** 0.7;
-    return [[214, 0], [178, 114], [132, 230]].map(([brass, blue]) =>
-      brass + share * (blue - brass));
+    const share = face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest);
+    return between(BRASS, BLUE, share ** 0.7);
   }
 
   function draw() {
@@ -131,12 +122,9 @@ export function show(place) {
                                                 `wire ${i === held || j === held ? "held" : ""}`)));
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Pull the vertex of the cage. ",
-      html("span", {}, `It is in ${touched} of the surface's ${matrix.length} points, a column of `,
-        html("i", {}, "M"), ": the ", html("b", { class: "blue" }, "bluer"),
-        " a point, the more. The surface goes along with at most ",
-        html("b", {}, `${(100 * strongest).toFixed(0)} %`), " of the pull.")),
-    html("div", { class: "wide" }, sheet.box), html("div", { class: "wide" }, reset)));
-  draw();
+  fill(place, draw, "Pull the vertex of the cage.",
+    `It is in ${touched} of the surface's ${matrix.length} points, a column of <i>M</i>: ` +
+      'the <b class="blue">bluer</b> a point, the more. The surface goes along with at most ' +
+      `<b>${(100 * strongest).toFixed(0)} %</b> of the pull.`,
+    html("div", { class: "wide" }, sheet.box), html("div", { class: "wide" }, reset));
 }

@@ -1,6 +1,7 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
-import { centreOf, clamp, eachFrame, html, number, player } from "./paper.js";
-import { coded, Picture, probeAll, toSrgb } from "./picture.js";
+import { centres, CIRCLE, clamp, fill, html, number, player } from "./paper.js";
+import { coded, Picture, probePixels, swatch, toSrgb } from "./picture.js";
+import { between } from "./vectors.js";
 
 const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
 const SIZE = 128, SQUARE = 16;           // the texture is SIZE x SIZE texels
@@ -10,12 +11,12 @@ const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0
 
 /** Mixtures of light, from DARK to LIGHT, as codes. */
 const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-const SHADES = Uint32Array.from({ length: 257 }, (_, n) => coded(DARK.map((dark, k) =>
-  toSrgb(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
+const SHADES = Uint32Array.from({ length: 257 }, (_, n) =>
+  coded(between(DARK.map(toLight), LIGHT.map(toLight), n / 256).map(toSrgb)));
 const shade = (value) => SHADES[Math.round(256 * value)];
 
 /** Eq. (5): each texel of the next level is the mean of 2 x 2, image[row][column]. */
-export const halve = (image) => Array.from({ length: image.length / 2 }, (_, i) =>
+const halve = (image) => Array.from({ length: image.length / 2 }, (_, i) =>
   Float64Array.from({ length: image[0].length / 2 }, (_, j) =>
     (image[2 * i][2 * j] + image[2 * i + 1][2 * j] + image[2 * i][2 * j + 1] +
      image[2 * i + 1][2 * j + 1]) / 4));
@@ -27,7 +28,7 @@ export function pyramid(image) {
 }
 
 /** J in texels: its rows (s_x, s_y) and (t_x, t_y). */
-export const inTexels = ([s, t], width, height) =>
+const inTexels = ([s, t], width, height) =>
   [s.map((x) => width * x), t.map((x) => height * x)];
 
 /** Eq. (6): the level whose texels are as large as the footprint is long. */
@@ -61,9 +62,9 @@ export function bilinear(image, u, v) {
 
 /** Eq. (7): eight texels, of two levels. */
 export function trilinear(levels, u, v, level) {
-  const exact = clamp(level, 0, levels.length - 1), lower = Math.floor(exact);
-  const f = exact - lower, below = bilinear(levels[lower], u, v);
-  return f ? (1 - f) * below + f * bilinear(levels[lower + 1], u, v) : below;
+  const [lower, upper, f] = blendLevels(level, levels.length - 1);
+  const below = bilinear(levels[lower], u, v);
+  return f ? (1 - f) * below + f * bilinear(levels[upper], u, v) : below;
 }
 
 /** Eq. (4), by n x n points: what is right. */
@@ -99,34 +100,26 @@ const levelOf = ({ jacobian }) => mipLevel(jacobian, SIZE, SIZE);
 
 export function show(place) {
   let forward = 0, p = CHOSEN;
-  const redraw = eachFrame(mark);
   const floor = new Picture(WIDTH, HEIGHT, "A floor: left half, one texel for each pixel; " +
-                            "right half, the pyramid", redraw);
-  const texels = new Picture(ZOOM, ZOOM, "The pixel's footprint on the texture", redraw);
+                            "right half, the pyramid", mark);
+  const texels = new Picture(ZOOM, ZOOM, "The pixel's footprint on the texture", mark);
   floor.box.classList.add("smooth");
-  const swatches = ["one texel", "pyramid", "true mean"].map((name) =>
-    html("span", { class: "swatch" }, html("i"), name));
-  const colours = html("p", {}, ...swatches);
+  const colours = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  probeAll([floor], CHOSEN, (to) => {
-    p = to;
-    redraw();
-  });
+  probePixels([floor], CHOSEN, (to) => { p = to; });
   const walk = player("Walk", () => {
     forward += 0.012;
     paint();
-    mark();
-  });
+  }, mark);
 
   // The walk changes neither J nor the level of a pixel.
-  const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) => floorAt(centreOf(n, WIDTH)));
+  const seen = centres(WIDTH, HEIGHT).map((centre) => floorAt(centre));
   const [us, vs, levels] = [({ uv }) => uv[0], ({ uv }) => uv[1], levelOf].map((of) =>
     Float64Array.from(seen, (point) => (point ? of(point) : NaN)));
 
   function paint() {
     const [du, dv] = turned(0, forward);
-    floor.fill((x, y) => {
-      const n = (y - 0.5) * WIDTH + x - 0.5;
+    floor.fill((x, y, n) => {
       const u = us[n] + du, v = vs[n] + dv;
       if (Number.isNaN(u)) return SKY;
       return shade(x < WIDTH / 2 ? nearest(CHECKERS[0], u, v)
@@ -152,19 +145,18 @@ export function show(place) {
     texels.fill((x, y) => shade(nearest(CHECKERS[0], u + (x - ZOOM / 2) / texel / SIZE,
                                         v + (y - ZOOM / 2) / texel / SIZE)));
     const byPixel = (d) => J.map((row) => ZOOM / 2 + (row[0] * d[0] + row[1] * d[1]) * texel);
-    const square = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5], [-0.5, -0.5]];
-    const circle = Array.from({ length: 61 }, (_, n) =>
-      [Math.cos(n * Math.PI / 30) / 2, Math.sin(n * Math.PI / 30) / 2]);
+    const square = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
+    const circle = CIRCLE.map(([x, y]) => [x / 2, y / 2]);
     const wide = square.map((d) => d.map((t) => ZOOM / 2 + t * texel * 2 ** level));
-    texels.draw(["halo", "outline first thick"].map((style) => texels.line(wide, style)),
-      texels.line(square.map(byPixel), "print"), texels.line(circle.map(byPixel), "true"),
+    texels.draw(["halo", "outline first thick"].map((style) => texels.polygon(wide, style)),
+      texels.polygon(square.map(byPixel), "print"), texels.polygon(circle.map(byPixel), "true"),
       texels.text(wide[3], `level ${number(level, 2)}`, "label first", [6, -20]));
-    [nearest(CHECKERS[0], u, v), trilinear(CHECKERS, u, v, level),
-     footprintMean(CHECKERS[0], uv, jacobian, 24)].forEach((value, k) => {
+    colours.innerHTML = [[nearest(CHECKERS[0], u, v), "one texel"],
+      [trilinear(CHECKERS, u, v, level), "pyramid"],
+      [footprintMean(CHECKERS[0], uv, jacobian, 24), "true mean"]].map(([value, words]) => {
       const code = shade(value);
-      swatches[k].firstChild.style.background =
-        `rgb(${code & 255} ${code >> 8 & 255} ${code >> 16 & 255})`;
-    });
+      return swatch(`rgb(${code & 255} ${code >> 8 & 255} ${code >> 16 & 255})`, words);
+    }).join("");
   }
 
   function sentence(level) {
@@ -175,11 +167,7 @@ export function show(place) {
         : `takes level ${lower} alone.`);
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Point at a pixel, near and far. ",
-      html("span", {}, "Then walk.")),
-    floor.box, texels.box,
-    html("div", { class: "told" }, answer, colours, walk.element)));
   paint();
-  mark();
+  fill(place, mark, "Point at a pixel, near and far.", "Then walk.",
+    floor.box, texels.box, html("div", { class: "told" }, answer, colours, walk.element));
 }

@@ -1,10 +1,11 @@
 /** Lecture 04: many samples say which face is seen, and few shades give their colours. */
 import { isCovered } from "./edge_functions.js";
-import { button, centreOf, eachFrame, html, Sheet, svg } from "./paper.js";
-import { Picture, probeAll, toSrgb } from "./picture.js";
+import { button, centreOf, centres, counted, fill, html, say, Sheet } from "./paper.js";
+import { Picture, probePixels, rgb, toSrgb } from "./picture.js";
+import { minus, plus } from "./vectors.js";
 
 const WIDTH = 24, HEIGHT = 14;
-const STEPS = { 1: 1, 4: 3, 16: 4 };     // k of eq. (3) for S samples
+const COUNTS = [1, 4, 16], STEPS = { 1: 1, 4: 3, 16: 4 };  // k of eq. (3) for S samples
 const NEAR = [[5.5, 1.25], [11.5, 1], [21.5, 11.75]];   // its last vertex is to be dragged
 const FAR = [[1.5, 4.5], [22.5, 2.5], [8.5, 13.25]];
 const CHOSEN = [8.5, 3.5];               // a pixel that sees both faces and the background
@@ -13,7 +14,7 @@ const FACES = [[0.02, 0.2, 0.52], [0.95, 0.42, 0.03]];  // blue and orange, in l
 const BACKGROUND = [0.92, 0.92, 0.92];
 
 /** Eq. (3): the lattice of S = count samples with k = step -> S positions in the unit pixel. */
-export const lattice = (count, step) => Array.from({ length: count }, (_, s) =>
+const lattice = (count, step) => Array.from({ length: count }, (_, s) =>
   [(s + 0.5) / count, (step * (s + 1) % (count + 1) - 0.5) / count]);
 
 export const standardPattern = (count) => lattice(count, STEPS[count]);
@@ -21,8 +22,8 @@ export const standardPattern = (count) => lattice(count, STEPS[count]);
 /** The nearest face of every sample, [s][row * width + column], or -1. triangles: near ones first.
  *  Here the samples go to the faces. Eq. (4) brings the faces to the samples, to the same end. */
 export function rasterizeSamples(triangles, width, height, pattern) {
-  return pattern.map(([x, y]) => Int8Array.from({ length: width * height }, (_, n) => {
-    const p = [n % width + x, Math.floor(n / width) + y];
+  return pattern.map(([x, y]) => Int8Array.from(centres(width, height), (centre) => {
+    const p = plus(centre, [x - 0.5, y - 0.5]);
     return triangles.findIndex((triangle) => isCovered(p, triangle));
   }));
 }
@@ -60,41 +61,26 @@ export function resolve(shade, request, background) {
 const shadeAt = ([x, y], face) =>
   FACES[face].map((value) => value * (0.3 + 0.7 * (x + HEIGHT - y) / (WIDTH + HEIGHT)));
 
-const fillOf = (light, share = 100) => "fill: color-mix(in srgb, " +
-  `rgb(${light.map((value) => 255 * toSrgb(value)).join(" ")}) ${share}%, white)`;
-const counted = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+const fillOf = (light, share = 100) =>
+  `fill: color-mix(in srgb, ${rgb(light.map(toSrgb))} ${share}%, white)`;
 
 export function show(place) {
   let near = NEAR, count = 4, p = CHOSEN;
-  const redraw = eachFrame(draw);
   const picture = new Picture(WIDTH, HEIGHT,
-    "Two triangles that overlap, in 24 by 14 pixels", redraw);
+    "Two triangles that overlap, in 24 by 14 pixels", draw);
   const pixel = new Sheet([-0.1, 1.1, -0.1, 1.1],
-    "The chosen pixel with its samples, each in the colour of the face that it sees", redraw);
+    "The chosen pixel with its samples, each in the colour of the face that it sees", draw);
   const price = new Sheet([0, 20, 0, 3.6],
-    "How many shades MSAA and supersampling compute", redraw);
+    "How many shades MSAA and supersampling compute", draw);
   pixel.box.classList.add("light", "cut");
   const about = html("p", { class: "about" });
   const tested = html("p", { role: "status" });
-  const choose = (samples) => {
-    count = samples;
-    buttons.forEach((element) =>
-      element.setAttribute("aria-pressed", Number(element.textContent) === count));
-    tested.textContent = `${counted(count * WIDTH * HEIGHT, "sample")} tested for coverage`;
-    redraw();
-  };
-  const buttons = [1, 4, 16].map((samples) => button(String(samples), () => choose(samples)));
+  const buttons = COUNTS.map((samples) => button(samples, () => { count = samples; }));
   picture.handle({
-    name: "The near triangle's vertex 2", mark: "2", at: NEAR[2], step: 0.25,
+    name: "The near triangle's vertex 2", mark: "2", at: () => near[2], step: 0.25,
     limits: [0.5, WIDTH - 0.5, 2.5, HEIGHT - 0.5],
-    moved: (to) => {
-      near = [near[0], near[1], to];
-      redraw();
-    } });
-  probeAll([picture], CHOSEN, (to) => {
-    p = to;
-    redraw();
-  });
+    moved: (to) => { near = near.with(2, to); } });
+  probePixels([picture], CHOSEN, (to) => { p = to; });
 
   function draw() {
     const pattern = standardPattern(count);
@@ -103,10 +89,12 @@ export function show(place) {
     const shades = requests.face.map((face, k) =>
       shadeAt(centreOf(requests.pixel[k], WIDTH), face));
     const resolved = resolve(shades, requests.request, BACKGROUND);
-    const numberOf = ([x, y]) => Math.floor(y) * WIDTH + Math.floor(x);
-    picture.paint((x, y) => resolved[numberOf([x, y])].map(toSrgb));
+    const n = Math.floor(p[1]) * WIDTH + Math.floor(p[0]);
+    picture.paint((k) => resolved[k].map(toSrgb));
     picture.draw(picture.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"));
-    drawPixel(pattern, faceIndex.map((seen) => seen[numberOf(p)]), resolved[numberOf(p)]);
+    buttons.forEach((one, k) => one.setAttribute("aria-pressed", COUNTS[k] === count));
+    say(tested, `${counted(count * WIDTH * HEIGHT, "sample")} tested for coverage`);
+    drawPixel(pattern, faceIndex.map((seen) => seen[n]), resolved[n]);
     drawPrice(shades.length,
               faceIndex.reduce((sum, seen) => sum + seen.filter((face) => face >= 0).length, 0));
   }
@@ -114,26 +102,16 @@ export function show(place) {
   /** The pixel p, enlarged. Its frame has the colour that it becomes. */
   function drawPixel(pattern, seen, colour) {
     const corner = p.map((t) => t - 0.5);
-    const inPixel = (point) => [point[0] - corner[0], point[1] - corner[1]];
-    const area = (points, style, css) => {
-      const element = svg("polygon", { class: style, points: points.map((q) => pixel.place(q)) });
-      element.style.cssText = css;
-      return element;
-    };
     const [outer, inner] = [0.1, 0].map((rim) => [0, 1, 3, 2, 0].map((n) =>
       [n & 1 ? 1 + rim : -rim, n & 2 ? 1 + rim : -rim]));
     pixel.draw(
-      area(inner, "", fillOf(BACKGROUND)),
-      [FAR, near].map((triangle, k) => area(triangle.map(inPixel), "",
-                                            fillOf(shadeAt(p, 1 - k), 45))),
-      area([...outer, ...inner], "rim", fillOf(colour)), pixel.line(outer, "chosen"),
-      pattern.map((at, s) => {
-        const dot = pixel.dot(at, 4 + pixel.scale / 80, "sample");
-        dot.style.cssText = fillOf(seen[s] < 0 ? BACKGROUND : shadeAt(p, seen[s]));
-        return dot;
-      }),
-      [[[0.43, 0.5], [0.57, 0.5]], [[0.5, 0.43], [0.5, 0.57]]].flatMap((line) =>
-        [pixel.line(line, "halo"), pixel.line(line, "cross")]));
+      pixel.polygon(inner, "", fillOf(BACKGROUND)),
+      [FAR, near].map((triangle, k) => pixel.polygon(
+        triangle.map((vertex) => minus(vertex, corner)), "", fillOf(shadeAt(p, 1 - k), 45))),
+      pixel.polygon([...outer, ...inner], "rim", fillOf(colour)), pixel.line(outer, "chosen"),
+      pattern.map((at, s) => pixel.dot(at, 4 + pixel.scale / 80, "sample",
+        fillOf(seen[s] < 0 ? BACKGROUND : shadeAt(p, seen[s])))),
+      pixel.cross([0.5, 0.5], 0.07 * pixel.scale));
     const counts = [0, 1, -1].map((face) => seen.filter((f) => f === face).length);
     const parts = ['<b class="blue">blue</b>', '<b class="orange">orange</b>', "no face"]
       .map((what, k) => [counts[k], what]).filter(([n]) => n)
@@ -152,12 +130,10 @@ export function show(place) {
                bar(0.3, samples, "by supersampling", "bar many"));
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Choose 1, 4 or 16 samples. Point at pixels. Drag vertex 2.",
-      html("span", {}, " The outlines become smooth, and the number of shades hardly grows.")),
+  fill(place, draw, "Choose 1, 4 or 16 samples. Point at pixels. Drag vertex 2.",
+    "The outlines become smooth, and the number of shades hardly grows.",
     html("div", { class: "told" }, picture.box,
       html("div", { class: "row", role: "group", "aria-label": "Samples in each pixel" },
         ...buttons, "samples in each pixel"), tested, price.box),
-    html("div", { class: "told enlarged" }, pixel.box, about)));
-  choose(count);
+    html("div", { class: "told enlarged" }, pixel.box, about));
 }

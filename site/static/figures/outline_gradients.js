@@ -1,8 +1,8 @@
 /** Lecture 10: the sweep of neural_renderer and the soft silhouette of SoftRas, for one triangle.
  *  Pictures and triangles are those of pixel_coverage.js. */
-import { EDGES } from "./edge_functions.js";
-import { centreOf, clamp } from "./elements.js";
-import { noGradient, picture } from "./pixel_coverage.js";
+import { EDGES, edgeFunction } from "./edge_functions.js";
+import { centreOf, centres, clamp } from "./elements.js";
+import { dot, minus, plus } from "./vectors.js";
 
 const LEAST_PROBABILITY = 1e-6;
 
@@ -10,7 +10,7 @@ const LEAST_PROBABILITY = 1e-6;
 
 /** Eqs. (7) and (8): one line of pixels, crossed at x by an edge that has its outside on a side.
  *  -> the gradient of the edge's ends, in ndc. */
-export function sweepLine(gradColour, colour, x, side, share, eps) {
+function sweepLine(gradColour, colour, x, side, share, eps) {
   const inner = side > 0 ? Math.floor(x - 0.5) : Math.ceil(x - 0.5), outer = inner + side;
   if (Math.min(inner, outer) < 0 || Math.max(inner, outer) >= colour.length) return [0, 0];
   const grad = [0, 0];
@@ -29,7 +29,7 @@ export function sweepLine(gradColour, colour, x, side, share, eps) {
 
 /** Eq. (7) along all rows, for x, and along all columns, for y -> dL/dvertices, in ndc. */
 export function sweepBackward(gradColour, colour, triangle, width, height, eps) {
-  const grad = noGradient(), size = [width, height], step = [1, width];
+  const grad = [[0, 0], [0, 0], [0, 0]], size = [width, height], step = [1, width];
   if (!colour.some((value) => value)) return grad;
   for (const [x, y] of [[0, 1], [1, 0]]) {
     const lineOf = (values, row) => Array.from({ length: size[x] },
@@ -54,37 +54,35 @@ export function sweepBackward(gradColour, colour, triangle, width, height, eps) 
 // SoftRas
 
 /** The nearest point of a triangle's border: on which edge, at which t, and how far away. */
-export function nearestOnBorder(point, triangle) {
+function nearestOnBorder(point, triangle) {
   const found = EDGES.map(([i, j], edge) => {
     const [a, b] = [triangle[i], triangle[j]];
-    const along = [b[0] - a[0], b[1] - a[1]], from = [point[0] - a[0], point[1] - a[1]];
-    const t = clamp((from[0] * along[0] + from[1] * along[1]) / Math.hypot(...along) ** 2, 0, 1);
-    return { edge, t, away: [from[0] - t * along[0], from[1] - t * along[1]],
-             e: along[0] * from[1] - along[1] * from[0] };
+    const along = minus(b, a), from = minus(point, a);
+    const t = clamp(dot(from, along) / dot(along, along), 0, 1), away = plus(from, along, -t);
+    return { edge, t, away, square: dot(away, away), e: edgeFunction(point, a, b) };
   });
-  const square = ({ away: [x, y] }) => x * x + y * y;
-  const nearest = found.reduce((a, b) => (square(b) < square(a) ? b : a));
-  return { ...nearest, square: square(nearest), sign: found.every(({ e }) => e > 0) ? 1 : -1 };
+  const nearest = found.reduce((a, b) => (b.square < a.square ? b : a));
+  return { ...nearest, sign: found.every(({ e }) => e > 0) ? 1 : -1 };
 }
 
 /** Eq. (9) of a pixel, and what its derivative needs. */
-function softPixel(triangle, n, width, sigma) {
-  const near = nearestOnBorder(centreOf(n, width), triangle);
+function softPixel(triangle, centre, sigma) {
+  const near = nearestOnBorder(centre, triangle);
   const probability = 1 / (1 + Math.exp(-near.sign * near.square / sigma));
   return { ...near, probability: probability > LEAST_PROBABILITY ? probability : 0 };
 }
 
 export const softSilhouette = (triangle, width, height, sigma) =>
-  picture(width, height, (j, i) => softPixel(triangle, i * width + j, width, sigma).probability);
+  centres(width, height).map((centre) => softPixel(triangle, centre, sigma).probability);
 
 export function softSilhouetteBackward(gradSilhouette, triangle, width, sigma) {
-  const grad = noGradient();
+  const grad = [[0, 0], [0, 0], [0, 0]];
   gradSilhouette.forEach((gradS, n) => {
-    const { edge, t, away, sign, probability } = softPixel(triangle, n, width, sigma);
+    const { edge, t, away, sign, probability } = softPixel(triangle, centreOf(n, width), sigma);
     const scale = -2 * gradS * probability * (1 - probability) * sign / sigma;
-    EDGES[edge].forEach((k, end) => away.forEach((d, axis) => {
-      grad[k][axis] += scale * (end ? t : 1 - t) * d;
-    }));
+    EDGES[edge].forEach((k, end) => {
+      grad[k] = plus(grad[k], away, scale * (end ? t : 1 - t));
+    });
   });
   return grad;
 }

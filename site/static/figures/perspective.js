@@ -1,7 +1,8 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
 import { edgeFunction, isCovered, screenWeights } from "./edge_functions.js";
-import { clamp, eachFrame, html, number, slider } from "./paper.js";
-import { coded, Picture, probeAll } from "./picture.js";
+import { clamp, fill, html, number, slider } from "./paper.js";
+import { coded, Picture, probePixels } from "./picture.js";
+import { minus } from "./vectors.js";
 
 const WIDTH = 320, HEIGHT = 176, SQUARES = 8, DISTANCE = 2;
 const UV = [[0, 0], [1, 0], [1, 1], [0, 1]];
@@ -84,19 +85,12 @@ function board(tilt, isAffine) {
 
 export function show(place) {
   let tilt = TILT, p = CHOSEN;
-  const [redraw, remark] = [draw, mark].map(eachFrame);
   const sides = [["affine", "Weights of the screen"], ["right", "Weights of the face"]].map(
-    ([name, title]) => ({ name, title, picture: new Picture(WIDTH, HEIGHT, title, remark) }));
+    ([name, title]) => ({ name, title, picture: new Picture(WIDTH, HEIGHT, title, mark) }));
   const answer = html("p", { class: "verdict", role: "status" });
-  probeAll(sides.map(({ picture }) => picture), CHOSEN, (to) => {
-    p = to;
-    remark();
-  });
+  probePixels(sides.map(({ picture }) => picture), CHOSEN, (to) => { p = to; });
   const control = slider({ label: "tilt", min: 0, max: 80, step: 1, value: TILT, unit: "°",
-                           changed: (to) => {
-                             tilt = to;
-                             redraw();
-                           } });
+                           changed: (to) => { tilt = to; } });
 
   function draw() {
     for (const { name, picture } of sides) picture.fill(board(tilt, name === "affine"));
@@ -107,29 +101,26 @@ export function show(place) {
     const seen = seenAt(p, tilt);
     const [column, row] = MARKED;
     const onScreen = ([u, v]) => project([u / SQUARES, v / SQUARES], tilt).point;
-    const square = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([i, j]) =>
-      onScreen([column + i, row + j]));
+    const square = UV.map(([i, j]) => onScreen([column + i, row + j]));
     const diagonal = [[0, 0], [SQUARES, SQUARES]].map(onScreen);
     for (const { name, picture } of sides) {
       const uv = seen?.[name].uv;
       picture.draw(picture.line(diagonal, "diagonal"),
-        ["halo", "true"].map((style) => picture.line(square, style)),
+        ["halo", "true"].map((style) => picture.polygon(square, style)),
         uv ? picture.arrow(p, project(uv, tilt).point, "reads") : [], picture.cross(p),
         (seen?.face ?? []).map((corner, k) => picture.text(
           inside(project(UV[corner], tilt).point, picture.scale),
           number(seen[name].weights[k], 2), "label middle", [0, 4])));
     }
-    const off = seen && SQUARES * Math.hypot(...seen.affine.uv.map((t, k) => t - seen.right.uv[k]));
+    const off = seen && SQUARES * Math.hypot(...minus(seen.affine.uv, seen.right.uv));
     answer.innerHTML = !seen ? "This pixel does not see the board."
       : `With the weights of the screen, the pixel reads a place that is ` +
         `<b class="red">${number(off, 2)} squares</b> away.`;
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Tilt the board, and point at a pixel. ",
-      html("span", {}, "Its three weights stand at the corners.")),
+  fill(place, draw, "Tilt the board, and point at a pixel.",
+    "Its three weights stand at the corners.",
     html("div", { class: "two" }, ...sides.map(({ title, picture }) =>
       html("div", {}, html("p", {}, title), picture.box))),
-    html("div", { class: "wide told" }, control.element, answer)));
-  draw();
+    html("div", { class: "wide told" }, control.element, answer));
 }

@@ -5,56 +5,60 @@ import { Sheet, html } from "./paper.js";
 export const coded = ([red, green, blue]) =>
   (255 << 24 | 255 * blue << 16 | 255 * green << 8 | 255 * red) >>> 0;
 
+/** [red, green, blue] from 0 to 1 -> CSS. */
+export const rgb = (colour) => `rgb(${colour.map((t) => 255 * t).join(" ")})`;
+
+/** A square of a colour, and words. */
+export const swatch = (css, words) =>
+  `<span class="swatch"><i style="background: ${css}"></i>${words}</span>`;
+
 const SRGB_JOIN = 0.0031306684425005758;
 
 /** Light -> the number that a screen takes, both 0 to 1. */
 export const toSrgb = (linear) =>
   (linear <= SRGB_JOIN ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055);
 
-/** The pixel of several pictures of one size: chosen in one, it is chosen in all. -> set(point) */
-export function probeAll(pictures, at, moved) {
-  const { width, height } = pictures[0].canvas;
-  const set = (to) => probes.forEach((probe) => probe.set(to));
-  const probes = pictures.map((picture) => picture.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at,
-    limits: [0.5, width - 0.5, 0.5, height - 0.5],
+/** The pixel of several pictures of one size: chosen in one, it is chosen in all.
+ *  moved(centre, isChosen) is called when another is pointed at. -> set(centre) */
+export function probePixels(sheets, start, moved) {
+  let chosen = start;
+  sheets.forEach((sheet) => sheet.probe({
+    name: "Pixel", step: 1, from: [0.5, 0.5], at: () => chosen,
+    limits: [sheet.x0 + 0.5, sheet.x1 - 0.5, sheet.y0 + 0.5, sheet.y1 - 0.5],
     moved: (to, isChosen) => {
-      if (isChosen) set(to);
-      moved(to);
+      if (isChosen) chosen = to;
+      moved(to, isChosen);
     } }));
-  return set;
+  return (to) => { chosen = to; };
 }
 
 export class Picture extends Sheet {
-  constructor(width, height, label, draw) {
+  /** fine: how many pixels of the canvas in each unit. */
+  constructor(width, height, label, draw, fine = 1) {
     super([0, width, 0, height], label, draw);
-    this.canvas = html("canvas", { width, height, "aria-hidden": "true" });
+    this.canvas = html("canvas", { width: fine * width, height: fine * height,
+                                   "aria-hidden": "true" });
     this.box.prepend(this.canvas);
     this.box.classList.add("light");
   }
 
-  /** codeAt(x, y) -> coded([red, green, blue]), at each pixel's centre. Nothing is allocated. */
+  /** codeAt(x, y, n) -> coded([red, green, blue]), at each pixel's centre; n is its number, rows
+   *  from below. Nothing is allocated. */
   fill(codeAt) {
     const { width, height } = this.canvas;
     const context = this.canvas.getContext("2d");
     this.image ??= context.createImageData(width, height);
     const codes = new Uint32Array(this.image.data.buffer);
-    for (let n = 0, y = height - 0.5; y > 0; y--) {
-      for (let x = 0.5; x < width; x++) codes[n++] = codeAt(x, y);
+    for (let k = 0, row = height - 1; row >= 0; row--) {
+      for (let column = 0; column < width; column++) {
+        codes[k++] = codeAt(column + 0.5, row + 0.5, row * width + column);
+      }
     }
     context.putImageData(this.image, 0, 0);
   }
 
-  /** colourAt(x, y) -> [red, green, blue] from 0 to 1, at each pixel's centre. */
-  paint(colourAt) {
-    this.fill((x, y) => coded(colourAt(x, y)));
-  }
-
-  /** The pixel that is asked about: a cross in the picture. */
-  cross([x, y]) {
-    const reach = 10 / this.scale;
-    return ["halo", "cross"].flatMap((style) => [
-      this.line([[x - reach, y], [x + reach, y]], style),
-      this.line([[x, y - reach], [x, y + reach]], style)]);
+  /** colourOf(n) -> [red, green, blue] from 0 to 1. */
+  paint(colourOf) {
+    this.fill((x, y, n) => coded(colourOf(n)));
   }
 }

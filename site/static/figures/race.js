@@ -1,5 +1,5 @@
 /** Lecture 17: two threads, one pixel, and a reader who says which of them goes on. */
-import { button, eachFrame, html, Sheet } from "./paper.js";
+import { button, fill, html, Sheet } from "./paper.js";
 
 const NAMES = ["A", "B"], DEPTHS = [0.25, 0.5];
 const SCHEDULES = ["AABB", "ABAB", "ABBA", "BAAB", "BABA", "BBAA"];
@@ -25,20 +25,14 @@ const shown = (depth) => (Number.isFinite(depth) ? depth.toFixed(2) : "∞");
 export function show(place) {
   let schedule = [];
   const tried = new Set();
-  const redraw = eachFrame(draw);
   const sheet = new Sheet([-0.62, 4, -0.06, 3.1],
-    "Time goes to the right: the steps of threads A and B, and the pixel after each", redraw);
+    "Time goes to the right: the steps of threads A and B, and the pixel after each", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   const found = html("p");
   const chips = SCHEDULES.map((name) => html("span", { class: "chip" }, name));
-  const threads = NAMES.map((name, thread) => button(`${name} goes on`, () => {
-    schedule.push(thread);
-    redraw();
-  }));
-  const again = button("Again", () => {
-    schedule = [];
-    redraw();
-  });
+  const threads = NAMES.map((name, thread) =>
+    button(`${name} goes on`, () => schedule.push(thread)));
+  const again = button("Again", () => { schedule = []; });
 
   function draw() {
     const steps = race([0, 1], DEPTHS, schedule);
@@ -79,13 +73,10 @@ export function show(place) {
       ": two go wrong. An atomic minimum is one step, so that nobody can come between.");
   }
 
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Let the threads go on, in any order. ",
-      html("span", {}, "Each has two steps: it reads the depth, then it writes its own if that is ",
-        "nearer. ", html("b", { class: "blue" }, "A"), " brings 0.25, ",
-        html("b", { class: "orange" }, "B"), " 0.50.")),
+  fill(place, draw, "Let the threads go on, in any order.",
+    "Each has two steps: it reads the depth, then it writes its own if that is nearer. " +
+      '<b class="blue">A</b> brings 0.25, <b class="orange">B</b> 0.50.',
     sheet.box,
     html("div", { class: "told" }, html("div", { class: "row" }, ...threads, again), answer,
-      html("p", { class: "chips" }, "The six orders:", ...chips), found)));
-  draw();
+      html("p", { class: "chips" }, "The six orders:", ...chips), found));
 }

@@ -1,16 +1,14 @@
 /** Lecture 07: a triangle is a rubber sheet. A vertex that moves drags it along under a pixel. */
 import { EDGES } from "./edge_functions.js";
-import { button, clamp, eachFrame, html, number } from "./paper.js";
-import { coded, Picture, toSrgb } from "./picture.js";
+import { button, clamp, fill, html, number } from "./paper.js";
+import { coded, Picture, probePixels, rgb, swatch, toSrgb } from "./picture.js";
+import { between, cross, dot, minus, plus } from "./vectors.js";
 
 const WIDTH = 16, HEIGHT = 12;
 const START = [[2.5, 2.5], [13, 4], [5.5, 10.5]], CHOSEN = [6.5, 5.5];
 const VALUES = [0.9, 0.1, 0.4];          // r: the light of the vertices
 const LEVELS = [0.25, 0.5, 0.75];        // the sheet's lines: where a weight has these values
 const ARROW = 75;                        // pixels, for a gradient of 1
-
-const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-                         p[0] * q[1] - p[1] * q[0]];
 
 /** Eq. (7) on the screen, where w = 1: the rows q_i x q_j, which are det(M) M^-1. */
 export const edgeNormals = (triangle) =>
@@ -27,8 +25,7 @@ function inverse(triangle) {
   return determinant === 0 ? null : edges.map((row) => row.map((t) => t / determinant));
 }
 
-const weightsAt = (rows, [x, y]) => rows.map((row) => row[0] * x + row[1] * y + row[2]);
-const dot = (p, q) => p.reduce((sum, t, k) => sum + t * q[k], 0);
+const weightsAt = (rows, [x, y]) => rows.map((row) => dot(row, [x, y, 1]));
 
 /** df/da: the slope of the picture. */
 const slopeOf = (values, rows) => [0, 1].map((axis) => dot(values, rows.map((row) => row[axis])));
@@ -50,37 +47,28 @@ function seenWeights(triangle, pixel) {
 const list = (numbers, digits) => numbers.map((t, k) =>
   `<b class="pull v${k}">${number(t, digits)}</b>`).join(", ");
 const signed = (t) => `${t < 0 ? "−" : "+"}${Math.abs(t).toFixed(3)}`;
-const swatch = (light) => `<span class="swatch"><i style="background:
-  rgb(${Array(3).fill(255 * toSrgb(light)).join(" ")})"></i>${light.toFixed(3)}</span>`;
+const shown = (light) => swatch(rgb(Array(3).fill(toSrgb(light))), light.toFixed(3));
 
 export function show(place) {
   let triangle, before, last, pixel; // last: the vertex that moves, and has moved from `before`
-  const redraw = eachFrame(draw);
+  begin(START, CHOSEN);
   const picture = new Picture(WIDTH, HEIGHT,
-    "A shaded triangle with lines on it, a framed pixel, and an arrow at each vertex", redraw);
+    "A shaded triangle with lines on it, a framed pixel, and an arrow at each vertex", draw);
   const seen = html("p"), numbers = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => picture.handle({
-    name: `Vertex ${k}`, mark: String(k), style: `pull v${k}`, step: 0.1, at,
+  START.forEach((_, k) => picture.handle({
+    name: `Vertex ${k}`, mark: String(k), style: `pull v${k}`, step: 0.1, at: () => triangle[k],
     limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
     moved: (to) => {
       if (k !== last) [before, last] = [triangle, k];
-      triangle = triangle.map((vertex, n) => (n === k ? to : vertex));
-      redraw();
+      triangle = triangle.with(k, to);
     } }));
-  const probe = picture.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-    moved: (to, isChosen) => {
-      if (!isChosen) return;
-      begin(triangle, to);
-      redraw();
-    } });
+  const choose = probePixels([picture], CHOSEN, (to, isChosen) => {
+    if (isChosen) begin(triangle, to);
+  });
   const reset = button("Reset", () => {
-    START.forEach((vertex, k) => handles[k].set(vertex));
-    probe.set(CHOSEN);
+    choose(CHOSEN);
     begin(START, CHOSEN);
-    redraw();
   });
 
   function begin(from, at) {
@@ -102,7 +90,7 @@ export function show(place) {
     const c = seenWeights(triangle, pixel), was = last !== null && seenWeights(before, pixel);
     const corner = pixel.map((t) => t - 0.5);
     picture.draw(
-      drawSheet(), picture.line([...triangle, triangle[0]], "outline found"),
+      drawSheet(), picture.polygon(triangle, "outline found"),
       ["frame halo", "frame"].map((style) => picture.rectangle(corner, 1, 1, style)),
       was ? drawMove(was[last]) : [], c ? drawArrows(c) : []);
     tell(c, was);
@@ -110,14 +98,13 @@ export function show(place) {
 
   function drawSheet() {
     return EDGES.flatMap(([i, j], k) => LEVELS.map((level) => picture.line([i, j].map((end) =>
-      triangle[end].map((t, axis) => (1 - level) * t + level * triangle[k][axis])),
-      `drawn v${k}`)));
+      between(triangle[end], triangle[k], level)), `drawn v${k}`)));
   }
 
   /** Where the triangle was, and the point of the sheet that was under the pixel. */
   function drawMove(weight) {
-    const now = pixel.map((t, axis) => t + weight * (triangle[last][axis] - before[last][axis]));
-    return [picture.line([...before, before[0]], "goal"),
+    const now = plus(pixel, minus(triangle[last], before[last]), weight);
+    return [picture.polygon(before, "goal"),
       picture.line([before[last], triangle[last]], `moved v${last}`),
       picture.line([pixel, now], `moved v${last}`), picture.dot(now, 5, "sample point")];
   }
@@ -126,10 +113,9 @@ export function show(place) {
     const [, [byTriangle]] = residualsJacobian(VALUES, triangle, [pixel]);
     return triangle.map((vertex, k) => {
       const length = Math.hypot(...byTriangle[k]) || 1;
-      const label = [0, 1].map((axis) => clamp(vertex[axis] - 1.4 * byTriangle[k][axis] / length,
-        0.8, [WIDTH, HEIGHT][axis] - 0.8));
-      const tip = vertex.map((t, axis) => t + ARROW * byTriangle[k][axis]);
-      return [...picture.arrow(vertex, tip, `pull v${k}`),
+      const label = plus(vertex, byTriangle[k], -1.4 / length).map((t, axis) =>
+        clamp(t, 0.8, [WIDTH, HEIGHT][axis] - 0.8));
+      return [...picture.arrow(vertex, plus(vertex, byTriangle[k], ARROW), `pull v${k}`),
               picture.text(label, c[k].toFixed(2), `label middle pull v${k}`, [0, -6])];
     });
   }
@@ -149,26 +135,23 @@ export function show(place) {
     if (was) {
       tellMove(light, was);
     } else {
-      seen.innerHTML = `Pixel: ${swatch(light)}<br>Nothing has moved.`;
+      seen.innerHTML = `Pixel: ${shown(light)}<br>Nothing has moved.`;
       answer.textContent = "Move a vertex along its arrow: the pixel becomes brighter.";
     }
   }
 
   function tellMove(light, weights) {
-    const by = [0, 1].map((axis) => triangle[last][axis] - before[last][axis]);
+    const by = minus(triangle[last], before[last]);
     const [, [byTriangle]] = residualsJacobian(VALUES, before, [pixel]);
     const far = Math.hypot(...by), was = dot(weights, VALUES);
-    seen.innerHTML = `Pixel: ${swatch(was)}→ ${swatch(light)}<br>by ${signed(light - was)}. ` +
+    seen.innerHTML = `Pixel: ${shown(was)}→ ${shown(light)}<br>by ${signed(light - was)}. ` +
       `The <b class="pull v${last}">arrow</b> said ${signed(dot(byTriangle[last], by))}.`;
     answer.textContent = `Vertex ${last} moved by ${far.toFixed(2)}, the sheet under the pixel ` +
       `by ${weights[last].toFixed(2)} · ${far.toFixed(2)} = ${(weights[last] * far).toFixed(2)}.`;
   }
 
-  begin(START, CHOSEN);
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag a vertex, or choose a pixel. ",
-      html("span", {}, "The sheet goes along, the pixel in the frame stays. Each arrow is the " +
-        "pixel's derivative: minus the picture's slope, times the weight of the vertex.")),
-    picture.box, html("div", { class: "told" }, seen, answer, numbers, reset)));
-  draw();
+  fill(place, draw, "Drag a vertex, or choose a pixel.",
+    "The sheet goes along, the pixel in the frame stays. Each arrow is the pixel's derivative: " +
+      "minus the picture's slope, times the weight of the vertex.",
+    picture.box, html("div", { class: "told" }, seen, answer, numbers, reset));
 }

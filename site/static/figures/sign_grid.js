@@ -1,5 +1,6 @@
 /** Lecture 15: a grid of signed distances, the outline between its signs, and its way back. */
-import { button, eachFrame, html, playAndReset, say, Sheet } from "./paper.js";
+import { button, counted, fill, html, playAndReset, say, Sheet } from "./paper.js";
+import { dot, minus, plus } from "./vectors.js";
 
 const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
 const RADIUS = 0.75, TUBE = 0.32, BALL = 0.86;
@@ -24,7 +25,7 @@ export const zeroCrossing = (pA, pB, sA, sB) => pA.map((a, k) => (a * sB - pB[k]
 
 /** Eq. (9) -> dL/dsA, dL/dsB. */
 export function zeroCrossingBackward(gradP, pA, pB, sA, sB) {
-  const gradT = gradP.reduce((sum, g, k) => sum + g * (pB[k] - pA[k]), 0);
+  const gradT = dot(gradP, minus(pB, pA));
   return [-gradT * sB / (sB - sA) ** 2, gradT * sA / (sB - sA) ** 2];
 }
 
@@ -53,32 +54,35 @@ export function marchingTriangles(distance) {
   return { vertices, segments };
 }
 
+/** Eq. (9) for all vertices: dL/dp of each -> dL/ds of the grid's points. */
+export function crossingsBackward(gradP, vertices, distance) {
+  const gradient = distance.map(() => 0);
+  vertices.forEach(({ a, b }, n) => {
+    const [gradA, gradB] = zeroCrossingBackward(gradP[n], POINTS[a], POINTS[b],
+                                                distance[a], distance[b]);
+    gradient[a] += gradA;
+    gradient[b] += gradB;
+  });
+  return gradient;
+}
+
 /** The gradient of the area inside, with respect to the outline's vertices. */
 export function areaBackward(vertices, segments) {
   const gradients = vertices.map(() => [0, 0]);
   for (const [i, j] of segments) {
     const [[px, py], [qx, qy]] = [vertices[i].p, vertices[j].p];
-    gradients[i][0] += qy / 2;
-    gradients[i][1] -= qx / 2;
-    gradients[j][0] -= py / 2;
-    gradients[j][1] += px / 2;
+    gradients[i] = plus(gradients[i], [qy / 2, -qx / 2]);
+    gradients[j] = plus(gradients[j], [-py / 2, px / 2]);
   }
   return gradients;
 }
 
 /** Section 8: the integral of the ring's distance over the inside, back to the grid's numbers. */
-export function distanceGradient(distance) {
+function distanceGradient(distance) {
   const { vertices, segments } = marchingTriangles(distance);
-  const gradient = distance.map(() => 0);
-  areaBackward(vertices, segments).forEach((area, n) => {
-    const { a, b, p } = vertices[n];
-    const push = area.map((g) => g * torus(p, RADIUS, TUBE));
-    const [gradA, gradB] = zeroCrossingBackward(
-      push, POINTS[a], POINTS[b], distance[a], distance[b]);
-    gradient[a] += gradA;
-    gradient[b] += gradB;
-  });
-  return gradient;
+  const gradP = areaBackward(vertices, segments).map((area, n) =>
+    area.map((g) => g * torus(vertices[n].p, RADIUS, TUBE)));
+  return crossingsBackward(gradP, vertices, distance);
 }
 
 /** The groups that links [i, j] make of the numbers below count -> one number of each. */
@@ -101,34 +105,29 @@ export const outlines = ({ vertices, segments }) => groups(vertices.length, segm
 
 export function show(place) {
   const centre = POINTS.length >> 1, across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
-  let distance, step, chosen = POINTS[centre];
-  const redraw = eachFrame(draw);
+  let distance, step, chosen = POINTS[centre], seen = chosen; // seen: below the mouse, too
   const sheet = new Sheet([-across, across, -up, up],
-    "A grid of signs, and the outline that runs between them", redraw);
+    "A grid of signs, and the outline that runs between them", draw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const probe = sheet.probe({
-    name: "Grid point", step: SPACING, from: POINTS[0], at: chosen,
+  sheet.probe({
+    name: "Grid point", step: SPACING, from: POINTS[0], at: () => chosen,
     limits: [POINTS[0][0], -POINTS[0][0], POINTS[0][1], -POINTS[0][1]],
-    moved: (to) => {
-      chosen = to;
-      redraw();
+    moved: (to, isChosen) => {
+      seen = to;
+      if (isChosen) chosen = to;
     } });
   const flip = button("Flip its sign", () => {
-    const [x, y] = probe.point();
-    const n = Math.round((x - POINTS[0][0]) / SPACING) +
-      COLUMNS * Math.round((y - POINTS[0][1]) / SPACING);
-    distance[n] = -distance[n];
-    redraw();
+    const [column, row] = minus(chosen, POINTS[0]).map((t) => Math.round(t / SPACING));
+    distance[row * COLUMNS + column] *= -1;
   });
   const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
     const gradient = distanceGradient(distance);
-    distance = distance.map((s, n) => s - RATE * gradient[n]);
-    draw();
+    distance = plus(distance, gradient, -RATE);
     return true;
-  }, begin, redraw);
+  }, begin, draw);
 
   function begin() {
     [distance, step] = [POINTS.map((p) => Math.hypot(...p) - BALL), 0];
@@ -136,31 +135,23 @@ export function show(place) {
 
   function draw() {
     const { vertices, segments } = marchingTriangles(distance);
-    const circle = (side) => sheet.line(Array.from({ length: 49 }, (_, k) =>
-      [side * RADIUS + TUBE * Math.cos(k * Math.PI / 24), TUBE * Math.sin(k * Math.PI / 24)]),
-      "goal");
     sheet.draw(
-      sheet.rectangle([chosen[0] - SPACING / 2, chosen[1] - SPACING / 2], SPACING, SPACING,
-                      "chosen"),
-      circle(-1), circle(1),
+      sheet.rectangle(seen.map((t) => t - SPACING / 2), SPACING, SPACING, "chosen"),
+      [-RADIUS, RADIUS].map((x) => sheet.dot([x, 0], TUBE * sheet.scale, "goal")),
       POINTS.map((p, n) => sheet.dot(p, distance[n] < 0 ? 3.4 : 1.8,
                                      distance[n] < 0 ? "sample first" : "sample")),
       segments.map(([i, j]) => sheet.line([vertices[i].p, vertices[j].p], "edge")));
-    const count = pieces(distance);
-    said.innerHTML = `Step ${step}: <b class="red">${count} piece${count === 1 ? "" : "s"}</b>`;
+    said.innerHTML = `Step ${step}: <b class="red">${counted(pieces(distance), "piece")}</b>`;
     const curves = outlines({ vertices, segments });
     say(answer, curves === 1 ? "One outline."
       : `${curves} outlines: signs have changed, and nothing else.`);
   }
 
   begin();
-  place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Press Play, or flip signs by hand. ",
-      html("span", {}, html("b", { class: "blue" }, "Blue"),
-        " points have a negative distance: they are inside. The ",
-        html("b", { class: "red" }, "red"), " outline runs where the sign changes.")),
+  fill(place, draw, "Press Play, or flip signs by hand.",
+    '<b class="blue">Blue</b> points have a negative distance: they are inside. ' +
+      'The <b class="red">red</b> outline runs where the sign changes.',
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("div", { class: "row" }, ...buttons, flip))));
-  draw();
+      html("div", { class: "row" }, ...buttons, flip)));
 }

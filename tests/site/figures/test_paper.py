@@ -2,17 +2,17 @@
 import numpy as np
 import pytest
 from hands import drag, spot, swipe
-from reading import numbers, opened, point_of, settled, verdict
+from reading import numbers, opened, point_of, settled
 
 from reference import rasterization
 
 
 def check_edges(page, p):
     """The figure shows the reference's numbers for the pixel at p and the handles' places."""
-    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
+    places = [point_of(settled(page).locator(f".handle:text-is('{k}')")) for k in range(3)]
     triangle, p = np.array(places), np.array(p)
     e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
-    labels = settled(page).locator(".label").all_text_contents()
+    labels = page.locator(".label").all_text_contents()
     found = [numbers(label)[-1] for label in labels]
     np.testing.assert_allclose(found, e, atol=0.051)  # one decimal is shown
     weights = numbers(" ".join(page.locator(".weight").all_text_contents()))
@@ -22,7 +22,7 @@ def check_edges(page, p):
             for i, j in rasterization.EDGES]
     edges = page.locator(".outline.first").all()
     assert ["thick" in edge.get_attribute("class") for edge in edges] == owns
-    said = verdict(page)
+    said = page.inner_text(".verdict")
     assert said.startswith(f"Pixel [{int(p[1])}, {int(p[0])}] is ")
     assert ("is covered" in said) == rasterization.is_covered(p, triangle)
     return places
