@@ -5,9 +5,13 @@ import subprocess
 import sys
 import zipfile
 
+import numpy as np
 import pytest
 from pages import front
+from PIL import Image
 from serving import PAGES, ROOT, SITE, soup
+
+from reference import tiny
 
 ADDRESS = "https://somebody.github.io/course"
 
@@ -106,6 +110,15 @@ def test_the_gallery_has_six_large_pictures_each_of_the_lecture_to_which_it_lead
     assert all(natural >= 2 * shown > 700 for natural, shown in sizes), sizes
     links = opened.eval_on_selector_all(".gallery a", "all => all.map(one => one.pathname)")
     assert len({link for link in links if link.startswith("/lectures/")}) == 6
+
+
+def test_the_star_is_what_the_page_of_code_draws(tmp_path, monkeypatch):
+    """The code was changed, and the picture that it is said to draw was not."""
+    monkeypatch.chdir(tmp_path)
+    tiny.main()
+    drawn, shown = Image.open("tiny.bmp"), Image.open(SITE / "_static" / "tiny.png")
+    large = shown.resize(drawn.size, Image.Resampling.NEAREST)
+    assert np.abs(np.int16(large) - np.int16(drawn)).max() <= 2  # BLAS rounds as it likes
 
 
 @pytest.mark.parametrize("origin", [

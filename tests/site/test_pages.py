@@ -17,6 +17,10 @@ WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anyth
 # A table or a formula may be painted before its end has come, and moves then: by up to 0.004 on a
 # busy machine. What waits for a script or has no size moves by more. A page counts as poor at 0.1.
 MOST_MOVED = 0.01
+ON_FORMULAS = """[...document.querySelectorAll(".eqno")].filter(number => {
+  const end = number.previousElementSibling.lastElementChild.getBoundingClientRect().right;
+  return number.getBoundingClientRect().left < end - 1;
+}).map(number => number.textContent)"""
 
 
 @functools.cache
@@ -66,7 +70,7 @@ def test_a_page_is_sound(page):
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_opens_without_a_fault(name, new_page, address):
     """An error of a script, a missing file, another host, a barrier for somebody. Or one wide
-    formula, and on a phone every line of the page is cut.
+    formula, and on a phone every line of the page is cut, or its number stands on it.
     """
     page, weight = new_page(viewport={"width": 1280, "height": 900}), {}
     page.on("response", lambda loaded: weight.update({loaded.url: len(loaded.body())}))
@@ -80,6 +84,7 @@ def test_a_page_opens_without_a_fault(name, new_page, address):
     for width in 1366, 375:
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
+        assert page.evaluate(ON_FORMULAS) == [], width
 
 
 @pytest.mark.parametrize("name", SIX)
