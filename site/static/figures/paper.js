@@ -5,7 +5,7 @@ import { between, minus, plus } from "./vectors.js";
 export * from "./elements.js";
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1],
-               PageDown: [0, -4], PageUp: [0, 4],
+               PageDown: [0, -4], PageUp: [0, 4], Enter: [0, 0], " ": [0, 0],
                Home: [-Infinity, -Infinity], End: [Infinity, Infinity] };
 const DISC = 12;                          // a handle's radius, in CSS pixels
 const REACH = { touch: 22, mouse: 14 };   // how far from its middle it is still gripped
@@ -98,8 +98,9 @@ export class Sheet {
   }
 
   /** A point to drag, or to move with the keys of a slider (Shift: four steps at once). It stands
-   *  where at() says. said(point) is what a screen reader says of it. moved(point, true) is called
-   *  when the reader has moved it. -> show(), go(point), point(), element */
+   *  where at() says. said(point) is what a screen reader says of it. moved(point, true, isPressed)
+   *  is called when the reader has moved it, or pressed it: by a tap on the sheet's chosen place,
+   *  Enter or Space. -> show(), go(point, isPressed), point(), element */
   handle({ name, mark = "", style = "", at, moved, said = inNumbers, ...grid }) {
     const axis = grid.limits[0] < grid.limits[1] ? 0 : 1; // of the one value that a slider has
     const element = html("div", { class: `handle ${style}`, role: "slider", tabindex: 0,
@@ -114,8 +115,8 @@ export class Sheet {
       element.setAttribute("aria-valuenow", point[axis]);
       element.setAttribute("aria-valuetext", said(point));
     };
-    const go = (to) => {
-      moved(snapped(to, grid), true); // chosen, not only pointed at
+    const go = (to, isPressed = false) => {
+      moved(snapped(to, grid), true, isPressed); // chosen, not only pointed at
       show();
       this.redraw();
     };
@@ -123,7 +124,7 @@ export class Sheet {
       const direction = KEYS[event.key];
       if (!direction) return;
       event.preventDefault();
-      go(plus(point, direction, (event.shiftKey ? 4 : 1) * grid.step));
+      go(plus(point, direction, (event.shiftKey ? 4 : 1) * grid.step), !direction.some(Boolean));
     });
     show();
     this.box.append(element);
@@ -159,7 +160,8 @@ export class Sheet {
   }
 
   /** Handles take no pointer themselves: a browser would send them the taps that are for the
-   *  pixels around them. Only a finger that is near one does not scroll the page. */
+   *  pixels around them. A finger near one does not scroll the page. Elsewhere, and on the chosen
+   *  place, a swipe up or down does. */
   followPointers() {
     let down = null;
     const isMeant = ({ pointerId }) => pointerId === down?.pointerId;
@@ -172,7 +174,8 @@ export class Sheet {
       this.box.setPointerCapture(event.pointerId);
     });
     on("touchstart", (event) => {
-      if (down?.handle && event.cancelable) event.preventDefault();
+      const isKnob = down?.handle && down.handle !== this.chosen;
+      if (isKnob && event.cancelable) event.preventDefault();
     }, { passive: false });
     on("pointermove", (event) => {
       if (!down) this.box.classList.toggle("grips", Boolean(this.under(event).handle));
@@ -184,10 +187,11 @@ export class Sheet {
     on("pointerup", (event) => {
       if (!isMeant(event)) return;
       const isTap = !down.isDragged && !down.isOnDisc;
-      if (isTap) this.chosen?.go(down.at);
+      if (isTap) this.chosen?.go(down.at, true);
       const meant = isTap ? this.chosen : down.handle;
       meant?.element.focus({ preventScroll: true, focusVisible: false });
     });
+    on("pointercancel", (event) => isMeant(event) && down.handle?.go(down.from)); // it scrolls
     on("lostpointercapture", (event) => {
       if (isMeant(event)) down = null;
     });

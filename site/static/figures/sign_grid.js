@@ -1,5 +1,5 @@
 /** Lecture 15: a grid of signed distances, the outline between its signs, and its way back. */
-import { button, counted, fill, html, playAndReset, say, Sheet } from "./paper.js";
+import { counted, fill, html, playAndReset, say, Sheet } from "./paper.js";
 import { dot, minus, plus } from "./vectors.js";
 
 const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
@@ -104,23 +104,21 @@ export function pieces(distance) {
 export const outlines = ({ vertices, segments }) => groups(vertices.length, segments).length;
 
 export function show(place) {
-  const centre = POINTS.length >> 1, across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
-  let distance, step, chosen = POINTS[centre], seen = chosen; // seen: below the mouse, too
+  const across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
+  let distance, step, chosen, seen; // seen: below the mouse, too
   const sheet = new Sheet([-across, across, -up, up],
     "A grid of signs, and the outline that runs between them", draw);
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
+  begin();
   sheet.probe({
-    name: "Grid point", step: SPACING, from: POINTS[0], at: () => chosen,
+    name: "Grid point, Enter flips its sign", step: SPACING, from: POINTS[0], at: () => chosen,
     limits: [POINTS[0][0], -POINTS[0][0], POINTS[0][1], -POINTS[0][1]],
-    moved: (to, isChosen) => {
+    moved: (to, isChosen, isPressed) => {
       seen = to;
       if (isChosen) chosen = to;
+      if (isPressed) flip(to);
     } });
-  const flip = button("Flip its sign", () => {
-    const [column, row] = minus(chosen, POINTS[0]).map((t) => Math.round(t / SPACING));
-    distance[row * COLUMNS + column] *= -1;
-  });
   const buttons = playAndReset(() => {
     if (step === STEPS) return false;
     step += 1;
@@ -131,6 +129,12 @@ export function show(place) {
 
   function begin() {
     [distance, step] = [POINTS.map((p) => Math.hypot(...p) - BALL), 0];
+    chosen = seen = POINTS[POINTS.length >> 1];
+  }
+
+  function flip(point) {
+    const [column, row] = minus(point, POINTS[0]).map((t) => Math.round(t / SPACING));
+    distance[row * COLUMNS + column] *= -1;
   }
 
   function draw() {
@@ -147,11 +151,10 @@ export function show(place) {
       : `${curves} outlines: signs have changed, and nothing else.`);
   }
 
-  begin();
-  fill(place, draw, "Press Play, or flip signs by hand.",
+  fill(place, draw, "Press Play, or tap a point to flip its sign.",
     '<b class="blue">Blue</b> points have a negative distance: they are inside. ' +
       'The <b class="red">red</b> outline runs where the sign changes.',
     sheet.box,
     html("div", { class: "told" }, said, answer,
-      html("div", { class: "row" }, ...buttons, flip)));
+      html("div", { class: "row" }, ...buttons)));
 }
