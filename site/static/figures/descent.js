@@ -7,17 +7,19 @@ import { plus } from "./vectors.js";
 const WIDTH = 24, HEIGHT = 16, STEPS = 240;
 const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
 const START = [[2.2, 9.6], [12.4, 1.3], [18.7, 12.4]];
-const ARROW = 4;                         // pixels: the longest arrow
+const ARROW = 40;                        // pixels, for a gradient of 1; with its root
 const FOUND = 1e-5;                      // the loss below which nobody sees a difference
 const LOWEST = -5, HIGHEST = 0;          // of the curve: powers of ten
 
 /** The learning rate of step n, in pixels: it falls by a factor of 100. */
 const rate = (n) => 0.3 * 0.01 ** (n / STEPS);
 
+const isFlat = (gradients) => gradients.flat().every((slope) => slope === 0);
+
 function verdict(triangle, { gradients, loss }) {
-  if (signedArea(triangle) <= 0) return "It is turned over. No pixel shows it: no gradient.";
+  if (signedArea(triangle) <= 0) return "It is turned over or flat. No pixel shows it.";
   if (loss < FOUND) return "Found: the picture is the target.";
-  return gradients.flat().every((slope) => slope === 0) ? "No pixel is blended: no gradient."
+  return isFlat(gradients) ? "No pixel is blended: no gradient."
     : "The pixels along its edges pull at all three vertices.";
 }
 
@@ -36,7 +38,7 @@ export function show(place) {
     at: () => triangle[k], moved: (to) => begin(triangle.with(k, to)) }));
   const buttons = playAndReset(() => {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
-    if (step === STEPS || found.loss < 1e-6) return false;
+    if (step === STEPS || found.loss < 1e-6 || isFlat(found.gradients)) return false;
     descend(found.gradients);
     return true;
   }, () => begin(START), draw);
@@ -56,19 +58,22 @@ export function show(place) {
   function draw() {
     const found = lossOf(triangle, target, WIDTH, HEIGHT);
     losses[step] = found.loss;
-    const longest = Math.max(...found.gradients.map((g) => Math.hypot(...g)), 1e-9);
     sheet.draw(
       Array.from(found.picture, (shade, n) => pixel(n, shade, target[n])),
       sheet.polygon(TARGET, "goal"), sheet.polygon(triangle, "outline found"),
-      found.loss < FOUND ? [] : triangle.map((vertex, k) => sheet.arrow(
-        vertex, plus(vertex, found.gradients[k], -ARROW / longest), "descent")));
+      found.loss < FOUND ? [] : triangle.map((vertex, k) => pull(vertex, found.gradients[k])));
     curve.draw(curve.line([[0, 0], [0, LOWEST * 14], [STEPS, LOWEST * 14]], "axis"),
-      curve.text([6, -14], "loss", "label descent"),
+      curve.text([STEPS, 0], "loss", "label descent end", [0, -13]),
       curve.text([STEPS, LOWEST * 14], "step", "end", [0, -20]),
       curve.line(losses.map((loss, n) =>
         [n, 14 * clamp(Math.log10(loss), LOWEST, HIGHEST)]), "curve descent"));
     said.innerHTML = `Step ${step}: loss <b class="green">${found.loss.toFixed(5)}</b>`;
     say(answer, verdict(triangle, found));
+  }
+
+  function pull(vertex, gradient) {
+    const times = -ARROW / Math.sqrt(Math.hypot(...gradient) || 1);
+    return sheet.arrow(vertex, plus(vertex, gradient, times), "descent");
   }
 
   /** What a pixel and its target agree on, and what one of them has more. */
@@ -80,8 +85,9 @@ export function show(place) {
   }
 
   fill(place, draw, "Drag a vertex, or press Play.",
-    '<b class="blue">Blue</b> pixels are missing, <b class="orange">orange</b> ones are too ' +
-      'much. The <b class="green">green</b> arrows are the gradient, turned downhill.',
+    '<b class="blue">Blue</b> pixels are still missing, <b class="orange">orange</b> ones ' +
+      'should not be there. The <b class="green">green</b> arrows are the gradient, turned ' +
+      'downhill: four times as large, twice as long.',
     sheet.box,
     html("div", { class: "told" }, said, answer, curve.box,
       html("div", { class: "row" }, ...buttons)));

@@ -84,10 +84,15 @@ export function soon(draw) {
 }
 
 /** A button that plays: step() and draw() are called in each animation frame until step() returns
- *  false, the button is pressed again, or nobody sees it. -> element, stop() */
-export function player(label, step, draw) {
+ *  false, the button is pressed again, or nobody sees it. Where nothing is left to play, begin() is
+ *  called first. -> element, stop() */
+export function player(label, step, draw, begin = () => {}) {
   let frame = 0;
-  const element = button(label, () => (frame ? stop() : go()));
+  const element = button(label, () => {
+    if (frame) return stop();
+    if (step() === false) begin();
+    return go();
+  });
   const stop = () => {
     cancelAnimationFrame(frame);
     frame = 0;
@@ -105,9 +110,9 @@ export function player(label, step, draw) {
   return { element, stop };
 }
 
-/** Play calls step() and draw(), as player says. Reset stops it, and calls begin(). -> both. */
+/** Play is a player. Reset stops it, and calls begin(). -> both. */
 export function playAndReset(step, begin, draw) {
-  const play = player("Play", step, draw);
+  const play = player("Play", step, draw, begin);
   return [play.element, button("Reset", () => {
     play.stop();
     begin();
