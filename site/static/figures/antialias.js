@@ -63,16 +63,11 @@ const CORNERS = [-0.25, -WINDOW - 1e-9, -WINDOW, 0, 0.5, 1, 1 + WINDOW, 1 + WIND
 
 const fillOf = (shade) => `fill: color-mix(in srgb-linear, #ffffff ${100 * shade}%, #0072b2)`;
 
-/** Does the edge cross between the centres, and leave the blend to a pair above each other? */
-const isFlat = ({ c, alpha }) => alpha === null && c > -WINDOW && c < 1 + WINDOW;
-
-function why(pair) {
-  const { c, alpha } = pair;
+function why({ c, alpha }) {
   const at = `<i>c</i> = ${number(c)}`;
   if (alpha === null) {
-    return `${at}: no blend, no gradient. ` + (isFlat(pair)
-      ? "The edge is not steep: a pair of pixels above each other blends it."
-      : "It crosses elsewhere: another pair blends it.");
+    return `${at}: no blend, no gradient. The edge is not steep: a pair of pixels above each ` +
+      "other blends it.";
   }
   if (c <= 0 || c >= 1) {
     return `${at} is clamped to ${clamp(c, 0, 1)}, so <i>α</i> stays ${number(alpha)} when ` +
@@ -92,7 +87,7 @@ export function show(place) {
   const answer = html("p", { class: "verdict", role: "status" });
   START.forEach((_, k) => sheet.handle({
     name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at: () => ends[k],
-    limits: [-0.45, 1.45, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
+    limits: [-0.05, 1.05, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
     moved: (to) => { ends = ends.with(k, to); } }));
 
   function draw() {
@@ -132,9 +127,9 @@ export function show(place) {
   }
 
   function curves(pair) {
-    const { c, colours } = pair;
+    const { c, alpha, colours } = pair;
     const at = (x, value) => [x, 0.85 * value - 2.05];
-    const colour = ["first", "second"], faded = isFlat(pair) ? "faded" : "";
+    const colour = ["first", "second"], faded = alpha === null ? "faded" : "";
     return [
       sheet.text([-0.5, -0.75], "blended", "", [5, 6]),
       [-WINDOW, 1].map((x) => [sheet.rectangle(at(x, 0), WINDOW, 0.85, "clamp"),
@@ -149,7 +144,7 @@ export function show(place) {
       colours.map((value, k) => [
         sheet.rectangle([k - 0.5, -1.05], 1, 0.3, "square", fillOf(value)),
         sheet.text([k, -0.9], number(value), "middle", [0, -5]),
-        faded || c < -0.25 || c > 1.25 ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
+        faded ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
   }
 
   fill(place, draw, "Drag the ends of the edge.", "The loss wants the changed pixel bluer. " +
