@@ -4,7 +4,7 @@ import { probePixels } from "./picture.js";
 import { dot, minus } from "./vectors.js";
 
 const WIDTH = 12, HEIGHT = 8;
-const START = [[1.25, 2.25], [8.5, 1.5], [5.5, 7.5], [11.25, 5.25]];
+const START = [[1.5, 2.5], [8.5, 1.5], [5.5, 7.5], [11, 5]];
 const CHOSEN = [7.5, 3.5];               // a centre on the edge that both triangles share
 const SUB = "₀₁₂";
 
@@ -70,7 +70,7 @@ export function show(place) {
 
   START.forEach((_, k) => sheet.handle({
     name: k < 3 ? `Vertex ${k}` : "The neighbour's vertex", mark: String(k),
-    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT],
+    style: k < 3 ? "" : "second", step: 0.5, limits: [0, WIDTH, 0, HEIGHT],
     at: () => points[k], moved: (to) => { points = points.with(k, to); } }));
   const choose = probePixels([sheet], CHOSEN, (to) => { p = to; });
   const reset = button("Reset", () => {
