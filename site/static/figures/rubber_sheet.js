@@ -38,6 +38,17 @@ export function residualsJacobian(values, triangle, points) {
   return [byValues, byValues.map((c) => c.map((weight) => slope.map((t) => -weight * t)))];
 }
 
+const inside = (p) => p.map((t, axis) => clamp(t, 0.8, [WIDTH, HEIGHT][axis] - 0.8));
+
+/** Where the weight of a vertex is read: behind its arrow, or beside it where no room is behind. */
+function besideArrow(vertex, [dx, dy]) {
+  const away = 1.4 / (Math.hypot(dx, dy) || 1);
+  const behind = inside(plus(vertex, [dx, dy], -away));
+  if (Math.hypot(...minus(behind, vertex)) > 1) return behind;
+  const isInward = dot([dy, -dx], minus([WIDTH / 2, HEIGHT / 2], vertex)) > 0;
+  return inside(plus(vertex, [dy, -dx], isInward ? away : -away));
+}
+
 /** The weights of the vertices at a pixel, or null if it does not see the triangle. */
 function seenWeights(triangle, pixel) {
   const rows = inverse(triangle), c = rows && weightsAt(rows, pixel);
@@ -112,9 +123,7 @@ export function show(place) {
   function drawArrows(c) {
     const [, [byTriangle]] = residualsJacobian(VALUES, triangle, [pixel]);
     return triangle.map((vertex, k) => {
-      const length = Math.hypot(...byTriangle[k]) || 1;
-      const label = plus(vertex, byTriangle[k], -1.4 / length).map((t, axis) =>
-        clamp(t, 0.8, [WIDTH, HEIGHT][axis] - 0.8));
+      const label = besideArrow(vertex, byTriangle[k]);
       return [...picture.arrow(vertex, plus(vertex, byTriangle[k], ARROW), `pull v${k}`),
               picture.text(label, c[k].toFixed(2), `label middle pull v${k}`, [0, -6])];
     });
