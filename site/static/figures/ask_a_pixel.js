@@ -9,7 +9,7 @@ const TRUTH = [[-0.72, 0.45, 0.4], [0.72, 0.45, 0.4]];         // two discs: x, 
 const FOUND = [[-0.77, 0.36, 0.37], [0.7, 0.56, 0.42]];        // at the start, with a skin
 const SKIN = [0.7, 0.1, 0.44];                                 // half its width and height, y
 const ALBEDO = [0.85, 0.42, 0.12], SUN = [-0.6, -0.8], SKY = 0.3;
-const HEIGHT = 0.11;                                           // of a drawn pixel
+const HEIGHT = 0.11, FIRST = 9;                                // of a drawn pixel; who is asked
 
 const discs = ([x, y], all) =>
   Math.min(...all.map(([cX, cY, radius]) => Math.hypot(x - cX, y - cY) - radius));
@@ -63,11 +63,12 @@ export function show(place) {
   const photograph = render(truth.vertices, truth.segments);
   const target = photograph.coverage, all = [...target.keys()];
   const centre = (k) => EYE[0] + (k + 0.5 - PIXELS / 2) * WIDTH;
-  let pixel = 9, chosen = pixel, distance, velocity, step; // pixel: below the mouse, too
+  let pixel, chosen, distance, velocity, step; // pixel: below the mouse, too
   const sheet = new Flatland([-1.31, 1.31, -1.38, 1.02],
     "A camera's rays to a surface in which a skin joins two blobs", draw);
   const said = html("p"), answer = html("p", { class: "verdict" });
   const ended = html("p", { role: "status" });
+  begin();
   sheet.probe({
     name: "Pixel", step: WIDTH, from: [centre(0), STRIP], at: () => [centre(chosen), STRIP],
     said: () => `${said.textContent} ${answer.textContent}`,
@@ -88,6 +89,7 @@ export function show(place) {
   function begin() {
     distance = POINTS.map((p) => Math.min(discs(p, FOUND), skin(p, SKIN)));
     [velocity, step] = [distance.map(() => 0), 0];
+    pixel = chosen = FIRST;
   }
 
   function row(y, picture, surface) {
@@ -172,8 +174,7 @@ export function show(place) {
       : "The coverage is right everywhere. The depth is not: one camera cannot tell.");
   }
 
-  begin();
-  fill(place, draw, "What does a pixel pull? Drag along the row, then press Play.",
+  fill(place, draw, "What does a pixel pull on? Drag along the row, then press Play.",
     'At a <b class="green">green +</b> it raises the grid\'s distance: ' +
       'the <b class="blue">found surface</b> retreats. ' +
       'At an <b class="orange">orange −</b> it lowers it: the surface advances.',

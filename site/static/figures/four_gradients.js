@@ -10,6 +10,7 @@ import { dot, minus, plus } from "./vectors.js";
 const WIDTH = 24, HEIGHT = 14, SIZE = [WIDTH, HEIGHT];
 const GOAL = [[15, 2.5], [22, 4.75], [17, 11.25]];
 const START = GOAL.map(([x, y]) => [x - 8, y]);
+const LOG_EPS = -2, SIGMA = 5;           // at the start
 const TINT = [0.05, 0.25, 0.7];          // how much red, green and blue the target takes away
 const WHY = {
   truth: "The derivative of the exact coverage. Only pixels on the outline count.",
@@ -65,8 +66,7 @@ function arrowOf([x, y]) {
 
 export function show(place) {
   const target = pixelCoverage(GOAL, ...SIZE), names = Object.keys(METHODS);
-  const settings = { sweep: 0.01, soft: 5 };
-  let points = START, name = "sweep";
+  let points, name, settings;
   const picture = new Picture(WIDTH, HEIGHT,
     "A triangle, its target, and arrows: where a descent step moves vertices and triangle", draw);
   const why = html("p", { class: "why", role: "status" });
@@ -78,13 +78,20 @@ export function show(place) {
     return element;
   });
   const sliders = {
-    sweep: slider({ label: "log₁₀ ε", min: -4, max: -1, step: 0.25, value: -2,
+    sweep: slider({ label: "log₁₀ ε", min: -4, max: -1, step: 0.25, value: LOG_EPS,
                     changed: (to) => { settings.sweep = 10 ** to; } }),
-    soft: slider({ label: "σ", min: 0.05, max: 5, step: 0.05, value: 5,
+    soft: slider({ label: "σ", min: 0.05, max: 5, step: 0.05, value: SIGMA,
                    changed: (to) => { settings.soft = to; } }) };
+  begin();
   const grid = { style: "ink", step: 0.25, limits: [0, WIDTH, 0, HEIGHT] };
   picture.handle({ ...grid, name: "The triangle", at: () => middleOf(points), moved: moveAll });
   picture.handle({ ...grid, name: "Vertex 2", mark: "2", at: () => points[2], moved: moveOne });
+
+  function begin() {
+    [points, name, settings] = [START, "sweep", { sweep: 10 ** LOG_EPS, soft: SIGMA }];
+    sliders.sweep.set(LOG_EPS);
+    sliders.soft.set(SIGMA);
+  }
 
   function moveAll(to) {
     const shift = middleOf(points).map((from, axis) => {
@@ -124,10 +131,12 @@ export function show(place) {
   }
 
   fill(place, draw, "Which gradient knows where the target is?",
-    "Choose one. Drag the triangle by its middle, or its vertex 2. Black arrows: the truth.",
+    "Choose one. Drag the triangle by its middle, or its vertex 2. Black arrows show the true " +
+      "gradient.",
     picture.box,
     html("div", { class: "told" },
       html("p", {}, "Pull on the whole triangle (thick arrow), towards the target (0: none):"),
       html("div", { class: "four", role: "group", "aria-label": "Gradient" }, ...buttons),
-      why, html("div", { class: "setting" }, ...Object.values(sliders).map((s) => s.element))));
+      why, html("div", { class: "setting" }, ...Object.values(sliders).map((s) => s.element),
+                button("Reset", begin))));
 }

@@ -82,7 +82,10 @@ export function show(place) {
     vertex = [clamp(vertex[0], 0, WIDTH), clamp(vertex[1], LOWEST, HEIGHT)];
     path.push(vertex);
     return true;
-  }, () => begin(START), draw);
+  }, () => {
+    if (!blend.checked) blend.click();
+    begin(START);
+  }, draw);
 
   function begin(from) {
     [vertex, path, means, squares] = [from, [from], [0, 0], [0, 0]];
@@ -105,6 +108,7 @@ export function show(place) {
     if (row > 0) measure();
     const { loss, gradient } = lossAt(vertex, blend.checked);
     const length = Math.hypot(...gradient);
+    buttons[0].disabled = !blend.checked; // it would do nothing
     const triangle = triangleOf(vertex), border = blend.checked ? [] : plateau();
     sheet.draw(
       ["halo", "curve second"].map((style) =>
@@ -116,8 +120,8 @@ export function show(place) {
         ? sheet.arrow(vertex, plus(vertex, gradient, -ARROW / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
-    say(answer, !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
-      : loss < FOUND ? "Found." : "");
+    say(answer, !blend.checked
+      ? "Flat as far as the orange cliffs: no arrow, and Play does nothing." : loss < FOUND ? "Found." : "");
   }
 
   /** The border of the plateau that holds the vertex, once the map is there. */
