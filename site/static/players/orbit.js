@@ -68,6 +68,7 @@ class View {
     this.camera = new three.PerspectiveCamera(FIELD_OF_VIEW);
     this.controls = new three.OrbitControls(this.camera, canvas);
     this.controls.enablePan = false;
+    canvas.style.touchAction = "pan-y"; // a swipe up or down scrolls the page, one aside turns
     this.lights = new three.Group();
     this.shape = new three.Group();
     this.scene = new three.Scene();
