@@ -71,7 +71,7 @@ export function show(place) {
     answer.innerHTML = frequency < RATE / 2
       ? `${counted(frequency, "period")}, seen correctly.`
       : frequency === RATE / 2
-        ? "Two samples a period: what is seen depends on where they lie."
+        ? "Two samples per period: what is seen depends on where they lie."
         : `${number(frequency)} periods, but the samples show ` +
           `<b class="red">${number(Math.abs(alias))}</b>.`;
     filtered.innerHTML = `alias = <i>f</i> − <i>r m</i> = ${number(frequency)} − ${RATE} · ` +

@@ -1,6 +1,6 @@
 /** Lecture 13: a bunny is the sum of its waves, and a few slow ones are most of its shape. */
 import { canvasOf, paint, silhouette } from "./facets.js";
-import { clamp, fill, html, player, say, Sheet, soon } from "./paper.js";
+import { clamp, counted, fill, html, player, say, Sheet, soon } from "./paper.js";
 import { between } from "./vectors.js";
 
 const FILE = new URL("../../waves/bunny.bin", import.meta.url);
@@ -63,7 +63,7 @@ export function show(place) {
   const said = html("p");
   spectrum.handle({
     name: "Number of waves", style: "second", at: () => placeOf(along),
-    said: () => (bunny ? `${waveCount()} waves` : "no waves yet"),
+    said: () => (bunny ? counted(waveCount(), "wave") : "no waves yet"),
     from: [LEFT, FLOOR], step: (RIGHT - LEFT) / STEPS, limits: [LEFT, RIGHT, FLOOR, FLOOR],
     moved: ([x]) => {
       play.stop();

@@ -126,7 +126,8 @@ export function show(place) {
   }
 
   fill(place, draw, "Take points away.", 'Along its <b class="green">green</b> ellipse a point ' +
-      "would cost the same everywhere: it may slide along a straight part, and not leave a bend.",
+      "would cost the same everywhere: it may slide along a straight part, but cannot leave a " +
+      "bend.",
     sheet.box,
     html("div", { class: "told" }, points.element, said,
       html("div", { class: "row" }, play.element)));

@@ -70,7 +70,7 @@ export function show(place) {
     answer.textContent = isRight ? "Right: A is seen, which is nearer."
       : "Wrong: B is seen, although A is nearer.";
     found.textContent = `${tried.size} of 6 schedules tried` + (tried.size < 6 ? "." :
-      ": two go wrong. An atomic minimum is one step, so that nobody can come between.");
+      ": two go wrong. An atomic minimum is one step, so no other thread can come between.");
   }
 
   fill(place, draw, "Let the threads go on, in any order.",
@@ -78,5 +78,5 @@ export function show(place) {
       '<b class="blue">A</b> brings 0.25, <b class="orange">B</b> 0.50.',
     sheet.box,
     html("div", { class: "told" }, html("div", { class: "row" }, ...threads, again), answer,
-      html("p", { class: "chips" }, "The six orders:", ...chips), found));
+      html("p", { class: "chips" }, "The six schedules:", ...chips), found));
 }
