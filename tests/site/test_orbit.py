@@ -253,7 +253,8 @@ def test_one_mesh_has_no_slider_and_is_seen_first_from_the_eye_that_is_given(tur
 
 
 def test_a_finger_scrolls_before_and_turns_after(new_page, address):
-    """The figure holds a reader who scrolls past; or it scrolls away below the finger."""
+    """The figure holds a reader who scrolls past, before or after; or it scrolls away below a
+    finger that turns."""
     page = new_page(has_touch=True, viewport={"width": SIZE, "height": 500})
     page.goto(f"{address}/two.html")
     x, y = spot(page.locator(".stage"))
@@ -264,13 +265,15 @@ def test_a_finger_scrolls_before_and_turns_after(new_page, address):
     page.get_by_role("button", name="Turn it").tap()
     page.locator("canvas").wait_for()
     first = picture(page)
-    swipe(page, ((x, y), (x + 30, y - 60)))
+    swipe(page, ((x, y), (x + 60, y - 30)))
     turned = picture(page)
     assert changed(first, turned) > 0.1
     swipe(page, ((x - 20, y), (x - 60, y)), ((x + 20, y), (x + 60, y)))
     larger = (np.ptp(picture(page), axis=2) > 30).mean()
     assert larger > 1.3 * (np.ptp(turned, axis=2) > 30).mean()
     assert page.evaluate("scrollY") == 0
+    swipe(page, ((x, y), (x, y - 90)))
+    page.wait_for_function("scrollY > 0")
 
 
 def test_without_webgl_the_still_stays(page, address):

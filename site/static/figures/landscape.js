@@ -120,8 +120,8 @@ export function show(place) {
         ? sheet.arrow(vertex, plus(vertex, gradient, -ARROW / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
-    say(answer, !blend.checked
-      ? "Flat as far as the orange cliffs: no arrow, and Play does nothing." : loss < FOUND ? "Found." : "");
+    say(answer, blend.checked ? (loss < FOUND ? "Found." : "")
+      : "Flat as far as the orange cliffs: no arrow, and Play does nothing.");
   }
 
   /** The border of the plateau that holds the vertex, once the map is there. */

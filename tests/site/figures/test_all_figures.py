@@ -1,7 +1,7 @@
 """What every figure of the lectures' pages has: room, names, and files that can be read."""
 import pytest
 from checks import barriers, moved
-from reading import NAMES, SOURCE, opened
+from reading import NAMES, SOURCE, opened, settled
 
 
 @pytest.mark.parametrize("width", [375, 768, 1280])
@@ -32,6 +32,26 @@ def test_a_figure_is_for_all_readers(page, address, name):
     for theme in "light", "dark":
         page.evaluate("theme => { document.body.dataset.theme = theme }", theme)
         assert barriers(page) == [], theme
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES
+                                  if "Reset" in (SOURCE / f"{name}.js").read_text()])
+def test_reset_brings_all_back(page, address, name):
+    """A tick, a slider or the chosen pixel stays: the text is of another picture."""
+    def seen():
+        return settled(page).locator(".pane").evaluate("""(pane) => [pane.textContent,
+            ...[...pane.querySelectorAll("input")].map((one) => [one.value, one.checked]),
+            ...[...pane.querySelectorAll(".sheet svg")].map((one) => one.innerHTML)]""")
+
+    opened(page, address, name)
+    before = seen()
+    for one in page.locator(".handle, input[type=range]:visible").all():
+        one.press("ArrowRight")
+    for tick in page.locator("input[type=checkbox]").all():
+        tick.click()
+    assert seen() != before
+    page.get_by_role("button", name="Reset").click()
+    assert seen() == before
 
 
 @pytest.mark.parametrize("path", sorted(SOURCE.iterdir()), ids=lambda path: path.name)

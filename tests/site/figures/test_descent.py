@@ -33,6 +33,18 @@ def test_play_finds_the_triangle(page, address):
     places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
     step = 0.05  # of a handle
     np.testing.assert_allclose(places, [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]], atol=1.02 * step)
+    page.get_by_role("button", name="Play").click()  # from the start again
+    page.get_by_text("Found").wait_for(state="hidden")
+
+
+def test_play_stops_where_no_pixel_shows_the_triangle(page, address):
+    """The steps are counted on, and nothing moves."""
+    opened(page, address, "descent")
+    page.get_by_role("button", name="Play").click()
+    for k in range(3):
+        page.locator(f".handle:text-is('{k}')").press("Home")
+    page.get_by_role("button", name="Play").wait_for()
+    assert loss_of(page)[0] == 0
 
 
 def test_a_vertex_that_is_moved_begins_a_new_descent(page, address):
@@ -71,7 +83,7 @@ def test_without_the_blend_there_is_no_way_down(page, address):
     arrows = page.locator(".sheet polygon.descent")
     assert arrows.count() == 1
     page.get_by_label("blend the edges").uncheck()
-    page.get_by_text("Flat up to").wait_for()
+    page.get_by_text("Flat as far").wait_for()
     assert settled(page).locator(".sheet polygon.descent").count() == 0
     assert arrows.count() == 0
     page.locator(".sheet .curve.second").nth(20).wait_for(state="attached")

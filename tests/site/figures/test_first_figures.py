@@ -138,8 +138,10 @@ def test_an_edge_that_moves_shows_the_references_gradient(page, address):
     where c is clamped, or where nothing is blended."""
     opened(page, address, "antialias")
     handles, seen = page.locator(".handle").all(), []
-    for n in range(110):
-        handles[n // 2 % 2].press("ArrowLeft" if n < 30 else "ArrowRight")
+    keys = 15 * ["ArrowLeft"] + 40 * ["ArrowRight"]
+    flatter = 12 * [(1, "Shift+ArrowLeft"), (0, "Shift+ArrowDown")]
+    for end, key in [(end, key) for key in keys for end in (0, 1)] + flatter:
+        handles[end].press(key)
         ends = np.ravel([point_of(handle) for handle in handles])
         c = np.array([antialiasing.crossing(*ends)])
         grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), c)[0]

@@ -40,16 +40,16 @@ def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
     sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
     check_edges(page, [7.5, 3.5])
     drag(page, vertex, *np.subtract(at(sheet, 2.3, 4.2), spot(vertex)), beside=9)
-    assert point_of(vertex) == [2.25, 4.25]
+    assert point_of(vertex) == [2.5, 4]
     for key in ("ArrowRight", "ArrowLeft", "ArrowDown"):
         page.keyboard.press(key)
-    assert point_of(vertex) == [2.25, 4]
+    assert point_of(vertex) == [2.5, 3.5]
     page.mouse.move(*at(sheet, 6.4, 3.7))
     check_edges(page, [6.5, 3.5])
     page.mouse.move(5, 5)                          # back to the chosen pixel
     check_edges(page, [7.5, 3.5])
     page.get_by_role("button", name="Reset").click()
-    assert check_edges(page, [7.5, 3.5])[0] == [1.25, 2.25]
+    assert check_edges(page, [7.5, 3.5])[0] == [1.5, 2.5]
 
 
 def test_a_vertex_follows_the_arrow_keys(page, address):
@@ -58,7 +58,7 @@ def test_a_vertex_follows_the_arrow_keys(page, address):
     page.keyboard.press("Tab")
     for key in ("ArrowRight", "ArrowUp", "ArrowUp", "Shift+ArrowLeft", "PageUp"):
         page.keyboard.press(key)
-    assert check_edges(page, [7.5, 3.5])[0] == [0.5, 3.75]
+    assert check_edges(page, [7.5, 3.5])[0] == [0, 5.5]
     page.keyboard.press("End")
     assert check_edges(page, [7.5, 3.5])[0] == [12, 8]
     page.keyboard.press("Home")
@@ -80,7 +80,7 @@ def test_a_tap_on_the_middle_of_a_pixel_chooses_this_pixel(phone):
     """A browser, or the sheet itself, gives the taps beside a vertex to the vertex."""
     sheet, probe = phone.locator(".sheet"), phone.locator(".probe")
     handles = phone.locator(".handle:not(.probe)").all()
-    for key in 3 * ("ArrowRight", "ArrowUp"):
+    for key in ("ArrowRight", "ArrowUp"):
         handles[0].press(key)                      # to the corner of four pixels
     vertices = [point_of(handle) for handle in handles]
     radius = 12 / (sheet.bounding_box()["width"] / 12)
@@ -95,21 +95,36 @@ def test_a_tap_on_the_middle_of_a_pixel_chooses_this_pixel(phone):
     assert [point_of(handle) for handle in handles] == vertices
 
 
-def test_a_finger_moves_a_vertex_that_is_near_and_elsewhere_the_page(phone):
-    """The page scrolls away under the finger, or a vertex is too small for a finger; or a figure as
-    wide as the phone holds the reader."""
+def test_a_finger_moves_a_vertex_that_is_near_or_the_pixel_aside(phone):
+    """The page scrolls away under the finger, or a vertex is too small for a finger."""
     sheet, vertex = phone.locator(".sheet"), phone.locator(".handle:text-is('0')")
     for place, beside in ([3, 5.5], 0), ([2, 6], 18):
         (x, y), (right, down) = spot(vertex), at(sheet, *place)
         swipe(phone, ((x + beside, y), (right + beside, down)))
         assert point_of(vertex) == place
         assert phone.evaluate("scrollY") == 0
-    probe = phone.locator(".probe")
-    chosen = point_of(probe)
-    x, y = at(sheet, 9.5, 1.5)
+    x, y = spot(phone.locator(".probe"))
+    swipe(phone, ((x, y), (x + 60, y + 9)))
+    assert phone.evaluate("scrollY") == 0
+    assert point_of(phone.locator(".probe")) == [9.5, 3.5]
+
+
+@pytest.mark.parametrize("place", [(9.5, 1.5), (7.5, 3.5)])
+def test_a_swipe_up_scrolls_the_page_from_the_chosen_pixel_too(phone, place):
+    """A figure as wide as the phone holds the reader."""
+    x, y = at(phone.locator(".sheet"), *place)
     swipe(phone, ((x, y), (x, y - 150)))
     phone.wait_for_function("scrollY > 50")
-    assert point_of(probe) == chosen
+    assert point_of(phone.locator(".probe")) == [7.5, 3.5]
+
+
+def test_a_vertex_at_the_border_is_gripped_on_its_outer_half(page, address):
+    """The mouse selects words there, and a finger scrolls the page."""
+    opened(page, address, "edge_functions")
+    vertex = page.locator(".handle:text-is('0')")
+    vertex.press("End")
+    drag(page, vertex, -100, 100, beside=9)
+    assert point_of(vertex) < [11, 7]
 
 
 def test_only_the_main_button_drags(page, address):

@@ -1,5 +1,6 @@
 """The grid of signs: where its outline runs, and what comes back to its numbers."""
 import numpy as np
+from hands import spot
 from reading import opened, settled
 
 from reference import implicit_surfaces, marching_tetrahedra
@@ -65,15 +66,14 @@ def test_a_flip_makes_a_hole_and_play_two_pieces_of_one(page, address):
     nothing, or a flipped sign is forgotten."""
     opened(page, address, "sign_grid")
     assert "1 piece" in page.inner_text(".told") and "One outline" in page.inner_text(".told")
-    page.get_by_role("button", name="Flip its sign").click()
+    chosen = page.get_by_role("slider", name="Grid point")
+    page.mouse.click(*spot(chosen))
     told = settled(page).inner_text(".told")
     assert "1 piece" in told and "2 outlines" in told
     page.get_by_role("button", name="Reset").click()
     page.get_by_role("button", name="Play").click()
     page.get_by_text("2 pieces").wait_for(timeout=60_000)
     page.get_by_role("button", name="Pause").click()
-    chosen = page.get_by_role("slider", name="Grid point")
-    for _ in range(6):
-        chosen.press("ArrowUp")
-    page.get_by_role("button", name="Flip its sign").click()
+    for key in 6 * ["ArrowUp"] + ["Enter"]:
+        chosen.press(key)
     assert "3 pieces" in settled(page).inner_text(".told")
