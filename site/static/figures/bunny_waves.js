@@ -70,9 +70,10 @@ export function show(place) {
       along = (x - LEFT) / (RIGHT - LEFT);
     } });
   const play = player("Play", () => {
-    along = along === 1 ? 0 : Math.min(1, along + 1 / FRAMES);
-    return along < 1;
-  }, draw);
+    if (along === 1) return false;
+    along = Math.min(1, along + 1 / FRAMES);
+    return true;
+  }, draw, () => { along = 0; });
 
   function draw() {
     if (!bunny) return;

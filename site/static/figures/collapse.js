@@ -97,10 +97,11 @@ export function show(place) {
   const points = slider({ label: "points", min: LEAST, max: whole.length, step: 1, value: count,
                           changed: (to) => { count = to; } });
   const play = player("Play", () => {
-    count = count > LEAST ? count - 1 : whole.length;
+    if (count === LEAST) return false;
+    count -= 1;
     points.set(count);
-    return count > LEAST;
-  }, draw);
+    return true;
+  }, draw, () => { count = whole.length; });
 
   /** Where the error of a point's quadric is LEVEL, cut where it is long and thin. */
   function ring(quadric, centre) {
