@@ -99,8 +99,8 @@ export class Sheet {
 
   /** A point to drag, or to move with the keys of a slider (Shift: four steps at once). It stands
    *  where at() says. said(point) is what a screen reader says of it. moved(point, true, isPressed)
-   *  is called when the reader has moved it, or pressed it: by a tap on the sheet's chosen place,
-   *  Enter or Space. -> show(), go(point, isPressed), point(), element */
+   *  is called when the reader has moved it, or pressed it: with Enter or Space, a probe by a tap.
+   *  -> show(), go(point, isPressed), point(), element */
   handle({ name, mark = "", style = "", at, moved, said = inNumbers, ...grid }) {
     const axis = grid.limits[0] < grid.limits[1] ? 0 : 1; // of the one value that a slider has
     const element = html("div", { class: `handle ${style}`, role: "slider", tabindex: 0,
