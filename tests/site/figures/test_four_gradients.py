@@ -132,7 +132,7 @@ def test_the_triangle_shows_the_pulls_of_the_reference(page, address):
                                        atol=0.5001)
             whole.press("Shift+ArrowRight")
             points += [1, 0]
-        page.get_by_role("slider", name="Vertex 2").press("ArrowUp")
+        settled(page).get_by_role("slider", name="Vertex 2").press("ArrowUp")
         points[2, 1] += 0.25
     np.testing.assert_allclose(shown_pulls(page), pulls_by_reference(points, 0.1, 0.5),
                                atol=0.5001)
