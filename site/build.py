@@ -4,7 +4,8 @@
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --lite     and with JupyterLite: the labs in the browser
 
-Sphinx reads again only what has changed. The new site replaces the old one when it is whole.
+Sphinx reads again only what has changed, and all pages after a change of the site's own code. The
+new site replaces the old one when it is whole.
 """
 import contextlib
 import filecmp
@@ -51,6 +52,12 @@ def bring_in_step(folder, new):
     return names[0] == names[1]
 
 
+def code_is_newer(file):
+    """-> whether the site's own code has changed since a file was written."""
+    return file.exists() and file.stat().st_mtime < max(
+        path.stat().st_mtime for path in SITE.rglob("*.py"))
+
+
 def publish(parts, target):
     """The files of these folders, together, replace the site."""
     new, old = (target.with_name(f"{target.name}-{age}") for age in ("new", "old"))
@@ -86,8 +93,8 @@ def make(lite):
     for folder in new, extra:
         shutil.rmtree(folder, ignore_errors=True)
     write_sources(new, extra, lite)
-    if not bring_in_step(pages, new):
-        for folder in html, read:  # with pages that are no more
+    if not bring_in_step(pages, new) or code_is_newer(read / "environment.pickle"):
+        for folder in html, read:  # pages that are no more, or as older code made them
             shutil.rmtree(folder, ignore_errors=True)
     status = build_main(["-b", "html", "-j", "auto", "-q", "--keep-going", "--fail-on-warning",
                          "-c", str(SITE), "-d", str(read), str(pages), str(html)])

@@ -3,6 +3,7 @@
 MathJax reads the TeX when the site is built. Its files come with the package
 sphinx-mathjax-offline, and run in V8. A formula that it cannot read ends the build.
 """
+import atexit
 import functools
 import json
 import os
@@ -21,6 +22,7 @@ var MathJax = {loader: {load: PARTS, paths: {mathjax: ""},
 var global = this;
 """
 UNUSED = re.compile(r' (?:data-\S+|xmlns)="[^"]*"|(?<=>)\s+(?=<)')
+PLUS_EQUALS = "<mrow><mo>+</mo></mrow><mo>=</mo>", "<mo>+=</mo>"  # without a gap between the two
 TAG = re.compile(r"\\tag\{(\w+)\}")
 
 
@@ -31,6 +33,7 @@ def mathjax(process):
         "sphinx-mathjax-offline/static/mathjax")
     files = {f"{part}.js": (folder / f"{part}.js").read_text("utf-8") for part in PARTS}
     engine = MiniRacer()
+    atexit.register(engine.close)  # later, when threads are gone already, it may wait for ever
     engine.eval(f"var PARTS = {json.dumps(PARTS)}, FILES = {json.dumps(files)};{START}")
     engine.eval((folder / "startup.js").read_text("utf-8"))
     engine.eval("function set(tex, display) { return MathJax.tex2mml(tex, {display}); }")
@@ -43,7 +46,7 @@ def formula(tex, display):
     found = mathjax(os.getpid()).call("set", tex, display)
     if "merror" in found:
         raise ValueError(f"MathJax cannot read the formula {tex!r}")
-    return UNUSED.sub("", found)
+    return UNUSED.sub("", found).replace(*PLUS_EQUALS)
 
 
 def inline(translator, node):

@@ -38,6 +38,15 @@ def test_one_letter_changes_one_page(made):
     assert after["two.html"] == before["two.html"]
 
 
+def test_new_code_makes_all_pages_anew(made, tmp_path):
+    """A way to write formulas is changed, and most pages have them as before."""
+    _, before = made(index=INDEX, one="# One", two="# Two")
+    with (tmp_path / "conf.py").open("a") as file:
+        file.write('project = "New"\n')
+    _, after = made(index=INDEX, one="# One", two="# Two")
+    assert after["one.html"] > before["one.html"]
+
+
 def test_a_build_that_fails_leaves_the_site_that_was_there(made):
     """A dead link in a draft, and the last good site is gone; or the second try says nothing."""
     _, before = made(index=INDEX, one="# One", two="# Two")
