@@ -81,7 +81,7 @@ def test_a_page_opens_without_a_fault(name, new_page, address):
     if name in LIKE or not name.startswith(ALIKE):
         rules = {"color-contrast": {"enabled": False}}
         assert barriers(page, PROSE, rules=rules) == []
-    for width in 1366, 375:
+    for width in 1366, 1100, 375:
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
         assert page.evaluate(ON_FORMULAS) == [], width
