@@ -1,11 +1,12 @@
 """The lectures on the site: what the notebooks say is there, and more links."""
 import json
 import re
+import types
 
 import pytest
 from bs4 import BeautifulSoup
 from checks import barriers
-from pages import formulas, inserts, lectures
+from pages import formulas, inserts, lectures, references
 from serving import PAGES, ROOT, SITE, soup
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -106,6 +107,17 @@ def test_what_only_looks_so_is_no_link(number, words, around):
     place = next(place for place in article(lecture(number)).find_all(["p", "li"])
                  if around in place.get_text() and words in place.get_text())
     assert not [link for link in place.find_all("a") if link.get_text() == words]
+
+
+def test_a_heading_that_has_moved_has_all_lectures_written_again():
+    """A build of one changed lecture leaves the others' links to its old heading."""
+    pages = ["lectures/01_one", "lectures/02_two"]
+    env = types.SimpleNamespace(found_docs={"index", *pages}, domaindata={"std": {"terms": {}}},
+                                metadata={page: {"myst_slugs": {"a": 1}} for page in pages})
+    assert references.moved(None, env) == pages  # the first time
+    assert references.moved(None, env) == []
+    env.metadata[pages[0]] = {"myst_slugs": {"b": 1}}
+    assert references.moved(None, env) == pages
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
