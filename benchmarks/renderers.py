@@ -61,9 +61,7 @@ def plain(scene):
 
 
 def compiled(scene):
-    """This course: its kernels, compiled by numba, float64. It keeps no barycentrics: the way back
-    finds them again.
-    """
+    """This course: its kernels, compiled by numba, float64."""
     if not is_installed():
         raise ImportError("numba is not there")
     faces, clip, attributes, gradient, opposite = scene

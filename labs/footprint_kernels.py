@@ -52,10 +52,16 @@ def edge_steps(x0, y0, w0, x1, y1, w1, x2, y2, w2):
 
 @kernel
 def footprints_along(runs, face_index, screen, faces, uv, uv_faces, width, at, footprint):
-    """The footprints of some runs: screen (V, 3): x, y, w -> at (2 N,), footprint (4 N,)."""
+    """The footprints of some runs: screen (V, 3): x, y, w -> at (2 N,), footprint (4 N,). False if
+    a pixel sees a face, or a face has a vertex, that is not there.
+    """
     for run in range(len(runs)):
         face, n = face_index[runs[run, 0]], np.uintp(runs[run, 2])
+        if face >= min(len(faces), len(uv_faces)):
+            return False
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+        if min(a, b, c) < 0 or max(a, b, c) >= len(screen):
+            return False
         corners = (screen[a, 0], screen[a, 1], screen[a, 2], screen[b, 0], screen[b, 1],
                    screen[b, 2], screen[c, 0], screen[c, 1], screen[c, 2])
         a, b, c = uv_faces[face, 0], uv_faces[face, 1], uv_faces[face, 2]
@@ -77,6 +83,7 @@ def footprints_along(runs, face_index, screen, faces, uv, uv_faces, width, at, f
             d0, d1, d2 = (y0 - b0 * y) / s, (y1 - b1 * y) / s, (y2 - b2 * y) / s
             footprint[k + np.uintp(1)] = 0.0 + d0 * u0 + d1 * u1 + d2 * u2
             footprint[k + np.uintp(3)] = 0.0 + d0 * v0 + d1 * v1 + d2 * v2
+    return True
 
 
 @kernel
@@ -86,10 +93,19 @@ def cross(p, q):
 
 
 @kernel
-def corner_from(clip, vertex, X, Y):
+def unit_of(clip, a, b, c):
+    """1 / the largest x, y or w of a face: in such units no product of two over- or underflows."""
+    largest = 0.0
+    for vertex in (a, b, c):
+        largest = max(largest, abs(clip[vertex, 0]), abs(clip[vertex, 1]), abs(clip[vertex, 3]))
+    return min(1 / largest, 1e300)
+
+
+@kernel
+def corner_from(clip, vertex, X, Y, unit):
     """q_k of rasterizer_gradients.py."""
-    w = clip[vertex, 3]
-    return clip[vertex, 0] - X * w, clip[vertex, 1] - Y * w, w
+    x, y, w = clip[vertex, 0] * unit, clip[vertex, 1] * unit, clip[vertex, 3] * unit
+    return x - X * w, y - Y * w, w
 
 
 @kernel
@@ -116,11 +132,12 @@ def sums_along(weighted, whole, step_x, step_y, grad_at, grad_footprint, n, coun
 
 
 @kernel
-def corner_gradient(record, at, X, Y, p, grad_p, q, grad_q):
+def corner_gradient(record, at, X, Y, unit, p, grad_p, q, grad_q):
     """n_p x p and q x n_q are two normals: their gradients -> those of x, y, w of the corner."""
     u, v = cross(p, grad_p), cross(grad_q, q)  # g . (p x q) = p . (q x g) = q . (g x p)
     x, y = u[0] + v[0], u[1] + v[1]
-    record[at], record[at + 1], record[at + 2] = x, y, u[2] + v[2] - X * x - Y * y
+    record[at], record[at + 1] = x * unit, y * unit
+    record[at + 2] = (u[2] + v[2] - X * x - Y * y) * unit
 
 
 @kernel
@@ -133,9 +150,10 @@ def run_gradients(runs, face_index, clip, faces, uv, uv_faces, width, grad_at, g
     for run in range(len(runs)):
         start, face = runs[run, 0], face_index[runs[run, 0]]
         X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
-        q0, q1, q2 = (corner_from(clip, faces[face, 0], X, Y),
-                      corner_from(clip, faces[face, 1], X, Y),
-                      corner_from(clip, faces[face, 2], X, Y))
+        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+        unit = unit_of(clip, a, b, c)
+        q0, q1, q2 = (corner_from(clip, a, X, Y, unit), corner_from(clip, b, X, Y, unit),
+                      corner_from(clip, c, X, Y, unit))
         n0, n1, n2 = cross(q1, q2), cross(q2, q0), cross(q0, q1)
         whole = n0[0] + n1[0] + n2[0], n0[1] + n1[1] + n2[1], n0[2] + n1[2] + n2[2]
         g0, g1, g2 = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
@@ -152,9 +170,9 @@ def run_gradients(runs, face_index, clip, faces, uv, uv_faces, width, grad_at, g
             record[run, 9 + axis] = n0[0] * p[0] + n0[1] * p[1] + n0[2] * p[2]
             record[run, 11 + axis] = n1[0] * p[0] + n1[1] * p[1] + n1[2] * p[2]
             record[run, 13 + axis] = n2[0] * p[0] + n2[1] * p[1] + n2[2] * p[2]
-        corner_gradient(record[run], 0, X, Y, q1, g2, q2, g1)
-        corner_gradient(record[run], 3, X, Y, q2, g0, q0, g2)
-        corner_gradient(record[run], 6, X, Y, q0, g1, q1, g0)
+        corner_gradient(record[run], 0, X, Y, unit, q1, g2, q2, g1)
+        corner_gradient(record[run], 3, X, Y, unit, q2, g0, q0, g2)
+        corner_gradient(record[run], 6, X, Y, unit, q0, g1, q1, g0)
 
 
 @kernel
@@ -187,10 +205,12 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
     screen = np.stack(rasterization.screen_points(clip, width, height), -1)
 
     def band(runs):
-        footprints_along(runs, face_index.ravel(), screen, faces, uv, uv_faces, width,
-                         at.reshape(-1), footprint.reshape(-1))
+        return footprints_along(runs, face_index.ravel(), screen, faces, uv, uv_faces, width,
+                                at.reshape(-1), footprint.reshape(-1))
 
-    list(each_band(band, bands))
+    if not all(list(each_band(band, bands))):
+        raise IndexError("face_index names faces that are not there, or faces name vertices that "
+                         "are not there: give the faces of this picture")
     return at, footprint
 
 

@@ -221,7 +221,7 @@ def render_views_backward(grad_pictures, buffers, shape, colours, views):
         grad_fine = msaa.box_resolve_backward(grad_picture, fine, target.samples)
         renderer = target.renderer or pipeline
         gradients = renderer.render_backward(grad_fine, seen, shape, covering(colours), target.view)
-        grad_level = carving_backward(1 / len(views), target, len(shape.positions), seen)
+        grad_level = carving_backward(1 / len(views), target, shape.faces, seen)
         found.append((gradients.positions, gradients.material.colours[:, :3], grad_level))
     return tuple(map(sum, zip(*found, strict=True)))
 
@@ -231,13 +231,13 @@ def covering(colours):
     return pipeline.Colours(np.column_stack([colours, np.ones(len(colours))]))
 
 
-def carving_backward(grad_carving, target, vertex_count, buffers):
+def carving_backward(grad_carving, target, faces, buffers):
     """Backward of eq. (6): grad_carving, a number -> grad_level (V,), of s at the vertices."""
     # s is an attribute of the vertices, seen by the pixels: back as any other attribute of lab 5.
     grad_picture = -grad_carving / target.outside.size * target.outside[..., None]
     fine = buffers.depth[..., None]  # only its shape is asked for
     grad_fine = msaa.box_resolve_backward(grad_picture, fine, target.samples)
-    return pipeline.to_vertices(grad_fine, buffers, vertex_count)[:, 0]
+    return pipeline.to_vertices(grad_fine, buffers, faces)[:, 0]
 
 
 def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.15 (6 points)

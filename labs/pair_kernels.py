@@ -42,8 +42,9 @@ def silhouette_of(points, corners, across):
 @kernel
 def crossing(x0, y0, w0, x1, y1, w1):
     """Eq. (3) where the edge crosses y = 0 in front of the camera, else -inf."""
-    above0, above1 = y0 * w0, y1 * w1
-    if (above0 < 0) == (above1 < 0) or not w0 * abs(above1) + w1 * abs(above0) > 0:
+    front0, front1 = np.sign(w0), np.sign(w1)
+    if ((front0 * y0 < 0) == (front1 * y1 < 0)
+            or not front0 * abs(y1) + front1 * abs(y0) > 0):
         return -np.inf
     is_nearer = abs(y1) < abs(y0)
     x, y = x1 if is_nearer else x0, y1 if is_nearer else y0
@@ -77,11 +78,11 @@ def last_crossing(points, corners, px, py, dx, dy):
 
 
 @kernel
-def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, width, rows,
                 numbers, places, found):
     """The pairs along x (axis 0) or y (axis 1), after the first found -> how many there are now."""
     step, columns = (1, width - 1) if axis == 0 else (width, width)
-    for row in range(bottom, min(top, len(depth) // width - axis)):
+    for row in range(rows[0], min(rows[1], rows[2] - axis)):
         for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
             second = first + np.uintp(step)
             if face_index[first] == face_index[second]:
@@ -103,45 +104,41 @@ def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, w
             is_dropped = c == 0.5 and is_first
             if (silhouettes[face] >> edge & 1 and is_steep and -WINDOW < c < 1 + WINDOW
                     and not is_dropped):
-                numbers[found, 0], numbers[found, 1], numbers[found, 2] = owner, other, i
-                numbers[found, 3], numbers[found, 4], numbers[found, 5] = j, face, edge
-                numbers[found, 6] = axis
-                places[found, 0], places[found, 1], places[found, 2] = c, x_i, x_j
-                places[found, 3], places[found, 4] = y_i, y_j
+                numbers[0, found], numbers[1, found], numbers[2, found] = owner, other, i
+                numbers[3, found], numbers[4, found], numbers[5, found] = j, face, edge
+                places[0, found], places[1, found], places[2, found] = c, x_i, x_j
+                places[3, found], places[4, found] = y_i, y_j
                 found += 1
     return found
 
 
 @kernel
-def find_pairs(face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+def find_pairs(face_index, depth, points, faces, opposite, silhouettes, width, rows,
                numbers, places):
-    """The blended pairs of rows bottom <= row < top with the next pixel to the right, and then
-    those with the one above -> how many there are of the first, and in all.
+    """The blended pairs of some rows with the next pixel to the right, and then those with the one
+    above -> how many there are of the first, and in all.
 
-    numbers (N, 7): owner, other, the edge's ends, face, edge, axis. places (N, 5): c, and x and y
-    of both ends in the pair's frame.
+    rows: the first one, the end, and how many the picture has. numbers (6, N): owner, other, the
+    edge's ends, face, edge. places (5, N): c, and x and y of both ends in the pair's frame.
     """
-    beside = pairs_along(0, face_index, depth, points, faces, opposite, silhouettes, width, bottom,
-                         top, numbers, places, 0)
+    beside = pairs_along(0, face_index, depth, points, faces, opposite, silhouettes, width, rows,
+                         numbers, places, 0)
     return beside, pairs_along(1, face_index, depth, points, faces, opposite, silhouettes, width,
-                               bottom, top, numbers, places, beside)
+                               rows, numbers, places, beside)
 
 
 @kernel
-def blend(picture, numbers, places, background, jump):
-    """Eqs. (4) and (5): changes the picture, flat, C numbers a pixel; jump (N, C) becomes the
-    difference of each pair's colours, other - owner, before any blend.
+def blend(picture, colour, pairs, channels):
+    """Eqs. (4) and (5): changes the picture by the colours before the blend. Both are flat, C
+    numbers a pixel. channels: a tuple of C numbers, so that C is known when this is compiled.
     """
-    channels = len(background)
-    for n in range(len(jump)):
-        for k in range(channels):
-            jump[n, k] = (picture[numbers[n, 1] * channels + k]
-                          - picture[numbers[n, 0] * channels + k])
-    for n in range(len(jump)):
-        alpha = 0.5 - min(max(places[n, 0], 0.0), 1.0)
-        changed = numbers[n, 0] if alpha > 0 else numbers[n, 1]
-        for k in range(channels):
-            picture[changed * channels + k] += alpha * jump[n, k]
+    count = len(channels)
+    for n in range(len(pairs.c)):
+        owner, other = pairs.owner[n] * count, pairs.other[n] * count
+        alpha = 0.5 - min(max(pairs.c[n], 0.0), 1.0)
+        changed = owner if alpha > 0 else other
+        for k in range(count):
+            picture[changed + k] += alpha * (colour[other + k] - colour[owner + k])
 
 
 @kernel
@@ -159,31 +156,32 @@ def end_backward(grad_along, grad_across, dx, dy, clip, vertex, width, height, g
 
 
 @kernel
-def blend_backward(grad_picture, numbers, places, jump, background, clip, width, height, grad,
-                   pixels, grad_pixels):
+def blend_backward(grad_picture, colour, pairs, channels, clip, width, height, grad, pixels,
+                   grad_pixels):
     """Backward of `blend`: the edges' ends in grad (V, 4 + C), and what their pixels get beside
-    grad_picture: pixels (2 N,), grad_pixels flat, C numbers for each.
+    grad_picture: pixels (2 N,), grad_pixels flat, C numbers for each -> whether all are there.
     """
-    channels = len(background)
-    for n in range(len(jump)):
-        owner, other = numbers[n, 0], numbers[n, 1]
-        at, x0, x1, y0, y1 = (places[n, 0], places[n, 1], places[n, 2], places[n, 3], places[n, 4])
-        alpha = 0.5 - min(max(at, 0.0), 1.0)
+    count, size, vertices = len(channels), width * height, len(clip)
+    for n in range(len(pairs.c)):
+        owner, other, i, j = pairs.owner[n], pairs.other[n], pairs.ends[0, n], pairs.ends[1, n]
+        if (min(owner, other) < 0 or max(owner, other) >= size or min(i, j) < 0
+                or max(i, j) >= vertices):
+            return False
+        alpha = 0.5 - min(max(pairs.c[n], 0.0), 1.0)
         changed = owner if alpha >= 0 else other
         pixels[2 * n], pixels[2 * n + 1] = owner, other
         grad_alpha = 0.0
-        for k in range(channels):
-            grad_changed = grad_picture[changed * channels + k]
-            grad_alpha += grad_changed * jump[n, k]
-            grad_pixels[2 * n * channels + k] = -alpha * grad_changed
-            grad_pixels[(2 * n + 1) * channels + k] = alpha * grad_changed
-        if 0 < at < 1:
+        for k in range(count):
+            grad_changed = grad_picture[changed * count + k]
+            grad_alpha += grad_changed * (colour[other * count + k] - colour[owner * count + k])
+            grad_pixels[2 * n * count + k] = -alpha * grad_changed
+            grad_pixels[(2 * n + 1) * count + k] = alpha * grad_changed
+        if 0 < pairs.c[n] < 1:
+            x0, x1, y0, y1 = pairs.x[0, n], pairs.x[1, n], pairs.y[0, n], pairs.y[1, n]
             r = 1 / (y1 - y0)
             c = (x0 * y1 - x1 * y0) * r
             slope = -grad_alpha * r
-            along, axis = 1.0 if other > owner else -1.0, numbers[n, 6]
-            dx, dy = along * (1 - axis), along * axis
-            end_backward(slope * y1, slope * (c - x1), dx, dy, clip, numbers[n, 2], width, height,
-                         grad)
-            end_backward(-slope * y0, slope * (x0 - c), dx, dy, clip, numbers[n, 3], width, height,
-                         grad)
+            dx, dy = other % width - owner % width, other // width - owner // width
+            end_backward(slope * y1, slope * (c - x1), dx, dy, clip, i, width, height, grad)
+            end_backward(-slope * y0, slope * (x0 - c), dx, dy, clip, j, width, height, grad)
+    return True

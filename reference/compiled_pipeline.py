@@ -4,15 +4,13 @@
     add_runs                      <-  gradient_rows  <-  blend_backward         `draw_backward`
 
 Each function stands for the one of its name in another module. What it finds is the same to the
-bit, and gradients to rounding. Barycentrics, and colours before antialiasing, are not kept: the way
-back finds them again, and so does whoever asks for them.
+bit, and gradients to rounding. What is not of the expected shape, or names what is not there, is an
+error before a kernel reads it, or when it comes upon it: compiled code reads on in memory.
 
 A picture is cut into bands of rows, one for each thread, or the faces into shares where they are
 more than the pixels. What the threads find is put together in the order of the bands. So no result
 depends on how many there are.
 """
-import functools
-
 import numpy as np
 
 from course.given import compiled, inputs
@@ -21,55 +19,16 @@ from course.given.compiled import each_band
 from . import (
     face_kernels,
     footprint_kernels,
-    interpolation,
     outlines,
     pair_kernels,
     pipeline,
     pixel_kernels,
-    rasterization,
     rasterizer_gradients,
 )
 
 SMALL = 1 << 14   # pixels, or faces: for fewer, a second thread costs more than it gains
 BAND = 1 << 15    # pixels, whose pairs or runs are found at once
 CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
-
-
-class Drawn:
-    """The `pipeline.Buffers` of a picture. What is not kept is found again when asked for."""
-
-    def __init__(self, clip, screen, faces, material, background):
-        self.clip, self.faces, self.material, self.background = clip, faces, material, background
-        self.points, self.face_index, self.depth = screen
-
-    def __iter__(self):
-        return (getattr(self, name) for name in pipeline.Buffers._fields)
-
-    @functools.cached_property
-    def barycentric(self):
-        return barycentrics(self.face_index, self.points, self.faces)
-
-    @functools.cached_property
-    def weights(self):
-        if isinstance(self.material, pipeline.Texture):
-            return None
-        return interpolation.weight_rows(self.faces, self.face_index, self.barycentric)
-
-    @functools.cached_property
-    def derivatives(self):
-        if not isinstance(self.material, pipeline.Texture):
-            return None
-        return rasterization.barycentrics_derivatives(self.face_index, self.clip, self.faces)
-
-    @functools.cached_property
-    def colour(self):
-        return shaded(self)
-
-    @property
-    def pairs(self):
-        owner, other, start, end, face, edge, _ = self.numbers.T
-        return outlines.Pairs(owner, other, self.places[:, 0], np.stack([start, end]),
-                              self.places[:, 1:3].T, self.places[:, 3:].T, face, edge)
 
 
 def on_all_cores(function, size, work):
@@ -156,8 +115,11 @@ def rasterize(clip, faces, width, height):
 
 
 def contiguous(clip, faces):
-    """clip and faces as kernels take them. ValueError for faces that are not integers."""
-    if faces.dtype != np.intp:
+    """clip (V, 4) and faces (F, 3) as kernels take them. ValueError for other shapes, and for faces
+    that are not integers.
+    """
+    inputs.require_shape("clip", clip, (len(clip), 4))
+    if faces.dtype != np.intp or faces.shape != (len(faces), 3):
         inputs.require_faces(faces, len(clip))
     return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
 
@@ -165,48 +127,66 @@ def contiguous(clip, faces):
 def barycentrics(face_index, points, faces):
     """`rasterization.barycentrics`, from the points of `screen_vertices`."""
     height, width = face_index.shape
-    barycentric = np.empty((height, width, 3))
+    barycentric = np.empty((3, height * width))
 
     def band(bottom, top):
         pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
-                                       barycentric.reshape(-1, 3))
+                                       barycentric)
 
     on_all_cores(band, height, face_index.size)
-    return barycentric
+    return pixels_last(barycentric, height, width)
+
+
+def pixels_last(barycentric, height, width):
+    """(3, H W) as (H, W, 3): one weight of all pixels lies after the other."""
+    return barycentric.reshape(3, height, width).transpose(1, 2, 0)
 
 
 def coloured(face_index, points, faces, colours, background):
-    """The colour (H, W, C) at each pixel's centre, from the points of `screen_vertices`."""
+    """The barycentrics (H, W, 3) and the colour (H, W, C) at each pixel's centre, from the points
+    of `screen_vertices`.
+    """
     height, width = face_index.shape
-    picture = np.empty((height, width, len(background)))
+    barycentric, colour = np.empty((3, height * width)), np.empty((height, width, len(background)))
 
     def band(bottom, top):
-        pixel_kernels.colour_rows(face_index.ravel(), points, faces, colours, background, width,
-                                  bottom, top, picture.ravel())
+        pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
+                                       barycentric)
+        pixel_kernels.colour_rows(face_index.ravel(), barycentric, faces, colours, background,
+                                  bottom * width, top * width, colour.ravel())
 
-    on_all_cores(band, height, face_index.size)
-    return picture
+    list(in_bands(band, width, height))
+    return pixels_last(barycentric, height, width), colour
 
 
 def blended_pairs(face_index, depth, points, faces, opposite):
-    """`outlines.blended_pairs` as numbers (N, 7) and places (N, 5) of pair_kernels.py."""
+    """`outlines.blended_pairs`, from the points of `screen_vertices`."""
     height, width = face_index.shape
     face_index, depth = face_index.ravel(), depth.ravel()
     silhouettes = np.zeros(len(faces), np.uint8)
 
     def band(bottom, top):
         room = 2 * (top - bottom) * width
-        numbers, places = np.empty((room, 7), np.intp), np.empty((room, 5))
+        numbers, places = np.empty((6, room), np.intp), np.empty((5, room))
         beside, count = pair_kernels.find_pairs(face_index, depth, points, faces, opposite,
-                                                silhouettes, width, bottom, top, numbers, places)
-        return numbers[:count].copy(), places[:count].copy(), beside
+                                                silhouettes, width, (bottom, top, height),
+                                                numbers, places)
+        return numbers[:, :count].copy(), places[:, :count].copy(), beside
 
-    found = list(in_bands(band, width, height))
+    numbers, places = in_order(list(in_bands(band, width, height)))
+    owner, other, *_, face, edge = numbers
+    return outlines.Pairs(owner, other, places[0], numbers[2:4], places[1:3], places[3:], face,
+                          edge)
+
+
+def in_order(found):
+    """numbers and places of bands, of which the first k are beside each other -> those of all."""
+    numbers, places, counts = zip(*found, strict=True)
     if len(found) == 1:
-        return found[0][:2]
-    numbers = [numbers[:k] for numbers, _, k in found] + [numbers[k:] for numbers, _, k in found]
-    places = [places[:k] for _, places, k in found] + [places[k:] for _, places, k in found]
-    return np.concatenate(numbers), np.concatenate(places)
+        return numbers[0], places[0]
+    return tuple(np.concatenate([part[:, :k] for part, k in zip(parts, counts, strict=True)]
+                                + [part[:, k:] for part, k in zip(parts, counts, strict=True)], 1)
+                 for parts in (numbers, places))
 
 
 def visible(clip, faces, width, height):
@@ -216,44 +196,45 @@ def visible(clip, faces, width, height):
     return pipeline.Buffers(clip, face_index, depth, barycentrics(face_index, points, faces))
 
 
-def shaded(drawn):
-    """The colour (H, W, C) at each pixel's centre."""
-    if not isinstance(drawn.material, pipeline.Texture):
-        return coloured(drawn.face_index, drawn.points, drawn.faces, drawn.material.colours,
-                        drawn.background)
-    colour = footprint_kernels.textured(drawn.clip, drawn.face_index, drawn.material, drawn.faces)
-    colour[drawn.face_index < 0] = drawn.background
-    return colour
-
-
 def draw(clip, faces, opposite, material, width, height, background):
     """`pipeline.draw`."""
     clip, faces = contiguous(clip, faces)
-    if isinstance(material, pipeline.Colours):
-        material = pipeline.Colours(np.ascontiguousarray(material.colours, float))
-    screen = points, face_index, depth = seen(clip, faces, width, height)
-    drawn = Drawn(clip, screen, faces, material, tuple(map(float, background)))
-    picture = shaded(drawn)
-    drawn.numbers, drawn.places = blended_pairs(face_index, depth, points, faces, opposite)
-    drawn.jump = np.empty((len(drawn.places), len(drawn.background)))
-    pair_kernels.blend(picture.ravel(), drawn.numbers, drawn.places, drawn.background, drawn.jump)
-    return picture, drawn
+    inputs.require_shape("opposite", opposite, faces.shape)
+    pipeline.require_material(material, faces, len(clip), len(background))
+    points, face_index, depth = seen(clip, faces, width, height)
+    if isinstance(material, pipeline.Texture):
+        barycentric = barycentrics(face_index, points, faces)
+        colour = footprint_kernels.textured(clip, face_index, material, faces)
+        colour[face_index < 0] = background
+    else:
+        barycentric, colour = coloured(face_index, points, faces,
+                                       np.ascontiguousarray(material.colours, float),
+                                       tuple(map(float, background)))
+    pairs = blended_pairs(face_index, depth, points, faces, np.asarray(opposite, np.intp))
+    picture = colour.copy()
+    pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
+    return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
+
+
+def constant(channels):
+    """So many channels, as kernels take them that know how many when they are compiled."""
+    return (0.0,) * channels
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """`pipeline.draw_backward`."""
-    if not isinstance(buffers, Drawn):
-        return NotImplemented
+    clip, faces = contiguous(buffers.clip, faces)
+    pipeline.require_way_back(grad_picture, buffers, faces, material)
     grad_picture = np.ascontiguousarray(grad_picture, float)
-    way = through_texture if isinstance(buffers.material, pipeline.Texture) else through_colours
-    grad_material, grad_clip = way(grad_picture, buffers)
+    way = through_texture if isinstance(material, pipeline.Texture) else through_colours
+    grad_material, grad_clip = way(grad_picture, buffers._replace(clip=clip), faces, material)
     if grad_depth is not None:
-        grad_clip += rasterizer_gradients.depth_backward(grad_depth, buffers.face_index,
-                                                         buffers.clip, buffers.faces)
+        grad_clip += rasterizer_gradients.depth_backward(grad_depth, buffers.face_index, clip,
+                                                         faces)
     return grad_material, grad_clip
 
 
-def through_texture(grad_picture, buffers):
+def through_texture(grad_picture, buffers, faces, material):
     """The way back through a texture, and through the blended pairs."""
     grad_edges = np.zeros(buffers.clip.shape)
     pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad_edges)
@@ -261,7 +242,7 @@ def through_texture(grad_picture, buffers):
     channels = grad_picture.shape[2]
     np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
     grad_material, grad_clip = footprint_kernels.textured_backward(
-        grad_colour, buffers.clip, buffers.face_index, buffers.material, buffers.faces)
+        grad_colour, buffers.clip, buffers.face_index, material, faces)
     return grad_material, grad_clip + grad_edges
 
 
@@ -269,43 +250,52 @@ def pairs_backward(grad_picture, buffers, grad):
     """Adds the gradients of the blended edges to grad (V, 4 or more), and finds those of their
     pixels' colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
     """
-    height, width = buffers.face_index.shape
-    count, channels = buffers.jump.shape
-    pixels, grad_pixels = np.empty(2 * count, np.intp), np.empty(2 * count * channels)
-    pair_kernels.blend_backward(grad_picture.ravel(), buffers.numbers, buffers.places,
-                                buffers.jump, buffers.background, buffers.clip, width, height,
-                                grad, pixels, grad_pixels)
+    height, width, channels = grad_picture.shape
+    pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
+    inputs.require(len({part.shape[-1] for part in pairs}) == 1, "pairs of one length",
+                   [part.shape for part in pairs])
+    pixels = np.empty(2 * len(pairs.c), np.intp)
+    grad_pixels = np.empty(len(pixels) * channels)
+    are_there = pair_kernels.blend_backward(
+        grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), buffers.clip,
+        width, height, grad, pixels, grad_pixels)
+    if not are_there:
+        raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
+                         "this picture")
     return pixels, grad_pixels
 
 
-def through_colours(grad_picture, buffers):
+def through_colours(grad_picture, buffers, faces, material):
     """The way back through colours of the vertices, and through the blended pairs."""
-    height, width = buffers.face_index.shape
-    colours, background = buffers.material.colours, buffers.background
-    grad = through_pixels(grad_picture, buffers, colours, background)
+    height, width, channels = grad_picture.shape
+    colours = np.ascontiguousarray(material.colours, float)
+    grad = through_pixels(grad_picture, buffers, faces, colours)
     pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad)
-    found = room(len(pixels), len(background))
+    found = room(len(pixels), channels)
     runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, buffers.face_index.ravel(),
-                                         buffers.clip, buffers.faces, colours, background, width,
+                                         buffers.clip, faces, colours, constant(channels), width,
                                          height, *found)
-    pixel_kernels.add_runs(buffers.faces, runs, *found, grad)
+    pixel_kernels.add_runs(faces, runs, *found, grad)
     return pipeline.Colours(grad[:, 4:]), grad[:, :4]
 
 
-def through_pixels(grad_picture, buffers, colours, background):
+def through_pixels(grad_picture, buffers, faces, colours):
     """The way back through the pixels' own colours: grad (V, 4 + C), of clip and of colours."""
-    height, width = buffers.face_index.shape
+    height, width, channels = grad_picture.shape
     face_index, grad_picture = buffers.face_index.ravel(), grad_picture.ravel()
-    grad = np.zeros((len(buffers.clip), 4 + len(background)))
+    grad = np.zeros((len(buffers.clip), 4 + channels))
 
     def band(bottom, top):
-        found = room((top - bottom) * width, len(background))
+        found = room((top - bottom) * width, channels)
         return pixel_kernels.gradient_rows(
-            grad_picture, face_index, buffers.clip, buffers.faces, colours, background, width,
+            grad_picture, face_index, buffers.clip, faces, colours, constant(channels), width,
             height, bottom, top, *found), *found
 
-    for runs in in_bands(band, width, height):
-        pixel_kernels.add_runs(buffers.faces, *runs, grad)
+    for runs, *found in in_bands(band, width, height):
+        if runs < 0:
+            raise IndexError("face_index names faces that are not there, or faces name vertices "
+                             "that are not there: give the faces of this picture")
+        pixel_kernels.add_runs(faces, runs, *found, grad)
     return grad
 
 
@@ -314,10 +304,10 @@ def room(size, channels):
     return np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
 
 
-def to_vertices(grad_pixels, buffers, vertex_count):
+def to_vertices(grad_pixels, buffers, faces):
     """`pipeline.to_vertices`."""
-    if not isinstance(buffers, Drawn) or vertex_count != len(buffers.clip):
-        return NotImplemented
+    clip, faces = contiguous(buffers.clip, faces)
     channels = grad_pixels.shape[-1]
-    return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers,
-                          np.zeros((vertex_count, channels)), (0.0,) * channels)[:, 4:]
+    inputs.require_shape("grad_pixels", grad_pixels, (*buffers.face_index.shape, channels))
+    return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers._replace(clip=clip),
+                          faces, np.zeros((len(clip), channels)))[:, 4:]

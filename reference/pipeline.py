@@ -71,17 +71,13 @@ class Buffers(NamedTuple):
     """What was found on the way to a picture, which the way back needs.
 
     clip (V, 4), face_index and depth (H, W), and barycentric (H, W, 3) come first. `shade` adds
-    colour (H, W, C), the picture before antialiasing, and what it was made with: weights, lab 5's
-    `weight_rows`, for Colours; derivatives (H, W, 3, 2) for a Texture. pairs are lab 8's, the
-    blended ones.
+    colour (H, W, C), the picture before antialiasing. pairs are lab 8's, the blended ones.
     """
 
     clip: np.ndarray
     face_index: np.ndarray
     depth: np.ndarray
     barycentric: np.ndarray
-    weights: tuple | None = None
-    derivatives: np.ndarray | None = None
     colour: np.ndarray | None = None
     pairs: outlines.Pairs | None = None
 
@@ -114,7 +110,7 @@ def render(mesh, material, view):
     clip = to_clip(mesh.positions, view.clip_from_model)
     picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, int(view.width),
                             int(view.height), view.background)
-    return picture, Buffers(*buffers) if isinstance(buffers, tuple) else buffers
+    return picture, Buffers(*buffers)
 
 
 def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None):
@@ -122,13 +118,9 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
-    of_another = buffers.weights if isinstance(material, Texture) else buffers.derivatives
-    inputs.require(of_another is None, "the Buffers of a picture with this material",
-                   "those of a picture with another kind of material")
-    channels = (material.image if isinstance(material, Texture) else material.colours).shape[-1]
-    inputs.require_gradient("grad_picture", grad_picture, (*buffers.depth.shape, channels))
+    require_way_back(grad_picture, buffers, mesh.faces, material)
     if grad_depth is not None:
-        inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
+        inputs.require_shape("grad_depth", grad_depth, buffers.depth.shape)
     grad_material, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, material,
                                              grad_depth)
     grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
@@ -202,7 +194,7 @@ def to_clip_backward(grad_clip, positions, clip_from_model):
 
 @has_kernels("compiled_pipeline")
 def visible(clip, faces, width, height):
-    """What each pixel sees at its centre: Buffers without derivatives and colour.
+    """What each pixel sees at its centre: Buffers without colour and pairs.
 
     clip (V, 4), faces (F, 3). It checks nothing, and most drawings need no more.
     """
@@ -210,23 +202,13 @@ def visible(clip, faces, width, height):
     return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
 
 
-def with_derivatives(seen, faces):
-    """The Buffers of `visible`, and how the barycentrics change from pixel to pixel."""
-    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
-    return seen._replace(derivatives=derivatives)
-
-
 def shade(seen, faces, material, background):
     """The Buffers of `visible`, completed by the colour (H, W, C) at each pixel's centre."""
     if isinstance(material, Texture):
-        seen = with_derivatives(seen, faces)
-        colour = textured(seen, material)
+        colour = textured(seen, faces, material)
     else:
-        seen = seen._replace(weights=interpolation.weight_rows(faces, seen.face_index,
-                                                               seen.barycentric))
-        weights = interpolation.sparse_matrix(len(material.colours), *seen.weights)
-        colours = weights @ material.colours
-        colour = colours.reshape(*seen.face_index.shape, material.colours.shape[1])
+        colour = interpolation.interpolate(material.colours, faces, seen.face_index,
+                                           seen.barycentric)
     outside = seen.face_index < 0
     for channel, value in enumerate(background):
         colour[..., channel][outside] = value
@@ -238,7 +220,7 @@ def shade_backward(grad_colour, buffers, faces, material):
     grad_derivatives (H, W, 3, 2) or None.
     """
     if isinstance(material, Texture):
-        return textured_backward(grad_colour, buffers, material)
+        return textured_backward(grad_colour, buffers, faces, material)
     return coloured_backward(grad_colour, buffers, faces, material)
 
 
@@ -254,7 +236,7 @@ def coloured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    grad_colours = to_vertices(grad_colour, buffers, len(material.colours))
+    grad_colours = to_vertices(grad_colour, buffers, faces)
     grad_barycentric = interpolation.barycentric_gradient(grad_colour, material.colours, faces,
                                                           buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
@@ -265,37 +247,39 @@ def coloured_backward(grad_colour, buffers, faces, material):
 
 
 @has_kernels("compiled_pipeline")
-def to_vertices(grad_pixels, buffers, vertex_count):
-    """The transpose of lab 5's B: grad_pixels (H, W, C) -> what the vertices get (V, C).
-
-    buffers: those of a picture of Colours.
-    """
-    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
+def to_vertices(grad_pixels, buffers, faces):
+    """The transpose of lab 5's B: grad_pixels (H, W, C) -> what the vertices get (V, C)."""
+    weights = interpolation.interpolation_matrix(len(buffers.clip), faces, buffers.face_index,
+                                                 buffers.barycentric)
     return weights.T @ grad_pixels.reshape(-1, grad_pixels.shape[-1])
 
 
-def footprints(uv, uv_faces, buffers):
-    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2)."""
-    seen = buffers.face_index >= 0
-    at = interpolation.interpolate(uv, uv_faces, buffers.face_index, buffers.barycentric)
-    footprint = interpolation.interpolate_derivatives(uv, uv_faces, buffers.face_index,
-                                                      buffers.derivatives)
-    return at[seen], footprint[seen]
+def footprints(uv, uv_faces, seen, derivatives):
+    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2).
+
+    derivatives (H, W, 3, 2): of the barycentrics.
+    """
+    is_seen = seen.face_index >= 0
+    at = interpolation.interpolate(uv, uv_faces, seen.face_index, seen.barycentric)
+    change = interpolation.interpolate_derivatives(uv, uv_faces, seen.face_index, derivatives)
+    return at[is_seen], change[is_seen]
 
 
-def textured(buffers, material):
+def textured(seen, faces, material):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
-    at, footprint = footprints(material.uv, material.uv_faces, buffers)
+    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
+    at, footprint = footprints(material.uv, material.uv_faces, seen, derivatives)
     colour = mipmapping.texture(material.image, at, footprint, filter=material.filter)
-    return masked_scatter(colour, buffers.face_index >= 0)
+    return masked_scatter(colour, seen.face_index >= 0)
 
 
-def textured_backward(grad_colour, buffers, material):
+def textured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Texture of gradients, grad_barycentric (H, W, 3),
     grad_derivatives (H, W, 3, 2).
     """
     seen = buffers.face_index >= 0
-    at, footprint = footprints(material.uv, material.uv_faces, buffers)
+    derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip, faces)
+    at, footprint = footprints(material.uv, material.uv_faces, buffers, derivatives)
     grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
         grad_colour[seen], material.image, at, footprint, filter=material.filter)
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
@@ -303,7 +287,7 @@ def textured_backward(grad_colour, buffers, material):
     by_place, grad_barycentric = interpolation.interpolate_backward(
         masked_scatter(grad_at, seen), *uv_at, buffers.barycentric)
     by_change, grad_derivatives = interpolation.interpolate_derivatives_backward(
-        masked_scatter(grad_footprint, seen), *uv_at, buffers.derivatives)
+        masked_scatter(grad_footprint, seen), *uv_at, derivatives)
     grad_texture = Texture(by_place + by_change, None, grad_image, None)
     return grad_texture, grad_barycentric, grad_derivatives
 
@@ -319,3 +303,20 @@ def require_scene(mesh, material, view):
         inputs.require(isinstance(material, Colours), "a material, Colours or a Texture",
                        f"a {type(material).__name__}")
         inputs.require_colours(mesh.positions, material.colours, view.background)
+
+
+def require_way_back(grad_picture, buffers, faces, material):
+    """ValueError, in one sentence, for what `render_backward` cannot take."""
+    inputs.require_shape("grad_picture", grad_picture, buffers.colour.shape)
+    inputs.require_shape("face_index", buffers.face_index, buffers.colour.shape[:2])
+    require_material(material, faces, len(buffers.clip), buffers.colour.shape[2])
+
+
+def require_material(material, faces, vertex_count, channels):
+    """ValueError, in one sentence, unless it has the shapes for such a mesh and picture."""
+    if isinstance(material, Texture):
+        inputs.require_shape("uv_faces", material.uv_faces, faces.shape)
+        inputs.require_shape("uv", material.uv, (len(material.uv), 2))
+        inputs.require_shape("image", material.image, (*material.image.shape[:2], channels))
+    else:
+        inputs.require_shape("colours", material.colours, (vertex_count, channels))

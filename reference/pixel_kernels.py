@@ -1,6 +1,7 @@
 """Pixel kernels: the colour of each pixel, and its gradient on the way back to the vertices.
 
-    a thread a band    colour_rows      weights (5) of rasterization.py, colours (5) of lab 5
+    a thread a band    barycentric_rows  weights (5) of rasterization.py
+                       colour_rows      colours (5) of lab 5
                        gradient_rows    the way back, summed along each run of pixels
     one thread         add_runs         runs -> vertices, in the order of the pixels
 
@@ -44,26 +45,7 @@ def weights_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
 
 @kernel
 def barycentric_rows(face_index, points, faces, width, bottom, top, barycentric):
-    """What `barycentrics` finds, in rows bottom <= row < top: barycentric (H W, 3)."""
-    for row in range(bottom, top):
-        for column in range(width):
-            pixel = np.uintp(row * width + column)
-            face = face_index[pixel]
-            b0, b1, b2 = 0.0, 0.0, 0.0
-            if face >= 0:
-                a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-                b0, b1, b2 = weights_at(column + 0.5, row + 0.5,
-                                            *screen_corners(points, a, b, c))
-            barycentric[pixel, 0], barycentric[pixel, 1], barycentric[pixel, 2] = b0, b1, b2
-
-
-@kernel
-def colour_rows(face_index, points, faces, colours, background, width, bottom, top, picture):
-    """`interpolate` in rows bottom <= row < top. picture: flat, C numbers a pixel. background: a
-    tuple of C numbers, so that C is known when this is compiled.
-    """
-    channels = np.uintp(len(background))
-    b0, b1, b2 = np.empty(width), np.empty(width), np.empty(width)
+    """What `barycentrics` finds in rows bottom <= row < top: barycentric (3, H W)."""
     for row in range(bottom, top):
         first, last = np.uintp(row * width), np.uintp((row + 1) * width)
         start = first
@@ -72,28 +54,64 @@ def colour_rows(face_index, points, faces, colours, background, width, bottom, t
             face = face_index[start]
             if face < 0:
                 for pixel in range(start, end):
-                    for k in range(channels):
-                        picture[pixel * channels + k] = background[k]
+                    barycentric[0, pixel] = barycentric[1, pixel] = barycentric[2, pixel] = 0.0
             else:
                 a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
                 corners = screen_corners(points, a, b, c)
-                for column in range(start - first, end - first):
-                    b0[column], b1[column], b2[column] = weights_at(
-                        np.int32(column) + 0.5, row + 0.5, *corners)
-                for column in range(start - first, end - first):
-                    pixel = (first + column) * channels
-                    for k in range(channels):
-                        picture[pixel + k] = (0.0 + b0[column] * colours[a, k]
-                                              + b1[column] * colours[b, k]
-                                              + b2[column] * colours[c, k])
+                for pixel in range(start, end):
+                    (barycentric[0, pixel], barycentric[1, pixel],
+                     barycentric[2, pixel]) = weights_at(
+                        np.int32(pixel - first) + 0.5, row + 0.5, *corners)
             start = end
 
 
 @kernel
-def corner_at(clip, vertex, X, Y):
+def colour_rows(face_index, barycentric, faces, colours, background, first, last, picture):
+    """`interpolate` for pixels first <= pixel < last. picture: flat, C numbers a pixel. background:
+    a tuple of C numbers, so that C is known when this is compiled.
+    """
+    channels = np.uintp(len(background))
+    start, last = np.uintp(first), np.uintp(last)
+    while start < last:
+        end = run_end(face_index, start, last)
+        face = face_index[start]
+        if face < 0:
+            for pixel in range(start, end):
+                for k in range(channels):
+                    picture[pixel * channels + k] = background[k]
+        else:
+            a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+            for pixel in range(start, end):
+                for k in range(channels):
+                    picture[pixel * channels + k] = (0.0 + barycentric[0, pixel] * colours[a, k]
+                                                     + barycentric[1, pixel] * colours[b, k]
+                                                     + barycentric[2, pixel] * colours[c, k])
+        start = end
+
+
+@kernel
+def are_there(faces, face, vertex_count):
+    """Is it one of the faces, and are its corners vertices?"""
+    if face >= len(faces):
+        return False
+    a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+    return min(a, b, c) >= 0 and max(a, b, c) < vertex_count
+
+
+@kernel
+def unit_of(clip, corners):
+    """1 / the largest x, y or w of a face: in such units no product of two over- or underflows."""
+    largest = 0.0
+    for vertex in corners:
+        largest = max(largest, abs(clip[vertex, 0]), abs(clip[vertex, 1]), abs(clip[vertex, 3]))
+    return min(1 / largest, 1e300)
+
+
+@kernel
+def corner_at(clip, vertex, X, Y, unit):
     """q_k of rasterizer_gradients.py: a corner, measured from the place X, Y in ndc."""
-    w = clip[vertex, 3]
-    return clip[vertex, 0] - X * w, clip[vertex, 1] - Y * w, w
+    x, y, w = clip[vertex, 0] * unit, clip[vertex, 1] * unit, clip[vertex, 3] * unit
+    return x - X * w, y - Y * w, w
 
 
 @kernel
@@ -139,15 +157,15 @@ def edge_sums(count, step, h1, h2, b1, b2, r):
 
 
 @kernel
-def write_corner(record, run, at, X, Y, u, v):
+def write_corner(record, run, at, X, Y, unit, u, v):
     """Gradients u + v of q_k -> those of the corner's x, y and w."""
     x, y = u[0] + v[0], u[1] + v[1]
-    record[run, at], record[run, at + 1] = x, y
-    record[run, at + 2] = u[2] + v[2] - X * x - Y * y  # as q = (x - X w, y - Y w, w)
+    record[run, at], record[run, at + 1] = x * unit, y * unit
+    record[run, at + 2] = (u[2] + v[2] - X * x - Y * y) * unit  # as q = (x - X w, y - Y w, w)
 
 
 @kernel
-def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colours, background,
+def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colours, channels,
                  scratch, record, run):
     """The way back from count pixels that see one face. Their gradients begin at grad_at in the
     flat grad_picture, the first is seen at X, Y. For each corner record[run] becomes the gradients
@@ -155,18 +173,19 @@ def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colour
     """
     b0, b1, b2, r, h1, h2 = scratch
     a, b, c = corners
-    channels = np.uintp(len(background))
-    stride = 3 + len(background)
-    q0, q1, q2 = corner_at(clip, a, X, Y), corner_at(clip, b, X, Y), corner_at(clip, c, X, Y)
+    size, stride = np.uintp(len(channels)), 3 + len(channels)
+    unit = unit_of(clip, corners)
+    q0, q1, q2 = (corner_at(clip, a, X, Y, unit), corner_at(clip, b, X, Y, unit),
+                  corner_at(clip, c, X, Y, unit))
     weights_along(count, step, edge_along(q1, q2), edge_along(q2, q0), edge_along(q0, q1),
                   b0, b1, b2, r)
     for i in range(count):
         h1[i] = h2[i] = 0.0
-    for k in range(channels):
+    for k in range(size):
         to_b, to_c = colours[b, k] - colours[a, k], colours[c, k] - colours[a, k]
         sum0, sum1, sum2 = 0.0, 0.0, 0.0
         for i in range(count):
-            grad = grad_picture[grad_at + i * channels + k]
+            grad = grad_picture[grad_at + i * size + k]
             sum0, sum1, sum2 = sum0 + b0[i] * grad, sum1 + b1[i] * grad, sum2 + b2[i] * grad
             h1[i] += grad * to_b
             h2[i] += grad * to_c
@@ -177,9 +196,9 @@ def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colour
     to_q1, to_q2 = edge_along_backward(*g0, q1, q2)
     also_q2, to_q0 = edge_along_backward(*g1, q2, q0)
     also_q0, also_q1 = edge_along_backward(*g2, q0, q1)
-    write_corner(record, run, 0, X, Y, to_q0, also_q0)
-    write_corner(record, run, stride, X, Y, to_q1, also_q1)
-    write_corner(record, run, 2 * stride, X, Y, to_q2, also_q2)
+    write_corner(record, run, 0, X, Y, unit, to_q0, also_q0)
+    write_corner(record, run, stride, X, Y, unit, to_q1, also_q1)
+    write_corner(record, run, 2 * stride, X, Y, unit, to_q2, also_q2)
 
 
 @kernel
@@ -190,11 +209,11 @@ def rows_for(size):
 
 
 @kernel
-def gradient_rows(grad_picture, face_index, clip, faces, colours, background, width, height,
-                  bottom, top, run_face, record):
+def gradient_rows(grad_picture, face_index, clip, faces, colours, channels, width, height, bottom,
+                  top, run_face, record):
     """The way back from rows bottom <= row < top -> how many runs, each with its face and record.
+    -1: a pixel sees a face, or a face has a vertex, that is not there.
     """
-    channels = np.uintp(len(background))
     scratch = rows_for(width)
     run = 0
     for row in range(bottom, top):
@@ -205,10 +224,12 @@ def gradient_rows(grad_picture, face_index, clip, faces, colours, background, wi
             end = run_end(face_index, start, last)
             face = face_index[start]
             if face >= 0:
+                if not are_there(faces, face, len(clip)):
+                    return -1
                 X = (2 * np.int32(start - first) + 1) / width - 1
                 corners = faces[face, 0], faces[face, 1], faces[face, 2]
-                run_backward(grad_picture, start * channels, end - start, X, Y, 2 / width, clip,
-                             corners, colours, background, scratch, record, run)
+                run_backward(grad_picture, start * np.uintp(len(channels)), end - start, X, Y,
+                             2 / width, clip, corners, colours, channels, scratch, record, run)
                 run_face[run] = face
                 run += 1
             start = end
@@ -216,10 +237,9 @@ def gradient_rows(grad_picture, face_index, clip, faces, colours, background, wi
 
 
 @kernel
-def gradient_pixels(grad_pixels, pixels, face_index, clip, faces, colours, background, width,
-                    height, run_face, record):
-    """The same for single pixels (N,), which may repeat: runs of length 1."""
-    channels = np.uintp(len(background))
+def gradient_pixels(grad_pixels, pixels, face_index, clip, faces, colours, channels, width, height,
+                    run_face, record):
+    """The same for single pixels (N,), which may repeat: runs of length 1. All are there."""
     scratch = rows_for(1)
     run = 0
     for n in range(np.uintp(len(pixels))):
@@ -228,8 +248,8 @@ def gradient_pixels(grad_pixels, pixels, face_index, clip, faces, colours, backg
             X = (2 * (pixels[n] % width) + 1) / width - 1
             Y = (2 * (pixels[n] // width) + 1) / height - 1
             corners = faces[face, 0], faces[face, 1], faces[face, 2]
-            run_backward(grad_pixels, n * channels, np.uintp(1), X, Y, 0.0, clip, corners, colours,
-                         background, scratch, record, run)
+            run_backward(grad_pixels, n * np.uintp(len(channels)), np.uintp(1), X, Y, 0.0, clip,
+                         corners, colours, channels, scratch, record, run)
             run_face[run] = face
             run += 1
     return run

@@ -43,7 +43,7 @@ def kernel(function):
 
 def has_kernels(room):
     """A decorator for functions of the reference: where numba is installed, the function of the
-    same name in reference/ROOM.py takes their place, unless it returns NotImplemented.
+    same name in reference/ROOM.py takes their place.
     """
     def decorate(function):
         package, _, _ = function.__module__.partition(".")
@@ -53,8 +53,7 @@ def has_kernels(room):
         @functools.wraps(function)
         def compiled(*args, **kwargs):
             kernels = importlib.import_module(f"{package}.{room}")  # numba's import takes a while
-            found = getattr(kernels, function.__name__)(*args, **kwargs)
-            return function(*args, **kwargs) if found is NotImplemented else found
+            return getattr(kernels, function.__name__)(*args, **kwargs)
 
         return compiled
     return decorate

@@ -138,10 +138,9 @@ def require_cubes(scene, view, samples):
         require_count(name, count, 1)
 
 
-def require_gradient(name, gradient, shape):
-    """The gradient of the loss with respect to something that `render` made, of its shape."""
-    require(np.shape(gradient) == shape, f"{name} {shape}, of the shape that it made",
-            np.shape(gradient))
+def require_shape(name, array, shape):
+    """An array of this shape, such as a gradient has it of what it is with respect to."""
+    require(np.shape(array) == shape, f"{name} {shape}", np.shape(array))
 
 
 def _fits(array, shape, kinds):

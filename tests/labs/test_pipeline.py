@@ -32,17 +32,8 @@ def by_hand(impl, clip, colours):
     picture, flat = colour.reshape(-1, 2).copy(), colour.reshape(-1, 2)
     for owner, other, c in zip(*pairs[:3], strict=True):
         picture[owner if c < 0.5 else other] += (0.5 - c) * (flat[other] - flat[owner])
-    rows = weight_rows(ALONE[0], covered - 1, barycentric)
-    buffers = impl.Buffers(clip, covered - 1, depth, barycentric, rows, None, colour, pairs)
+    buffers = impl.Buffers(clip, covered - 1, depth, barycentric, colour, pairs)
     return picture.reshape(colour.shape), buffers, decided
-
-
-def weight_rows(faces, face_index, barycentric):
-    """Lab 5's B in compressed sparse rows: start (H W + 1,), vertex and weight (3 N,)."""
-    seen = face_index.ravel() >= 0
-    start = np.concatenate([[0], 3 * np.cumsum(seen)])
-    vertex = faces[face_index.ravel()[seen]].ravel()
-    return start, vertex, barycentric.reshape(-1, 3)[seen].ravel()
 
 
 def pairs_by_hand(impl, covered, corners):
@@ -111,14 +102,14 @@ def drawn(impl, *scene):
     returned = impl.draw(*scene)
     is_drawn = (isinstance(returned, tuple) and len(returned) == 2 and
                 isinstance(returned[0], np.ndarray) and isinstance(returned[1], tuple))
-    if not is_drawn or len(returned[1]) != 8:
-        raise Mismatch(("wrong", "draw must return the picture, and then a tuple of eight buffers"))
+    if not is_drawn or len(returned[1]) != 6:
+        raise Mismatch(("wrong", "draw must return the picture, and then a tuple of six buffers"))
     return returned
 
 
 def drawn_pairs(impl, *scene):
     """The pairs in the buffers that `draw` returns, sorted by pixel. Mismatch: there are none."""
-    pairs = drawn(impl, *scene)[1][7]
+    pairs = drawn(impl, *scene)[1][5]
     if not isinstance(pairs, tuple) or len(pairs) != 8:
         kind = "None" if pairs is None else type(pairs).__name__
         raise Mismatch(("wrong", "the last of the buffers must be the pairs that blended_pairs "
@@ -143,8 +134,8 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
     texture = impl.Texture(uv, ALONE[0], np.ones((4, 8, 2)), "linear")
     got = impl.draw(bar(6, 5, 2.5), *ALONE, texture, 6, 5, np.zeros(2))
     if isinstance(got, tuple) and len(got) == 2 and isinstance(got[1], tuple):
-        got = got[0], got[1][:7]  # without the pairs
-    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, None, 5x6x3x2, 5x6x2))")
+        got = got[0], got[1][:5]  # without the pairs
+    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x2))")
 
 
 @exercise("9.12")
@@ -216,7 +207,7 @@ def test_a_triangle_is_that_of_a_search(impl, rng):
 
 
 @exercise("9.12")
-@pytest.mark.parametrize("number", [0, 1, 2, 3, 6],
+@pytest.mark.parametrize("number", [0, 1, 2, 3, 4],
                          ids=["clip", "face_index", "depth", "barycentric", "colour"])
 def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
     """This buffer holds something else, or the buffers come in another order."""
@@ -240,12 +231,11 @@ def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
 
 @exercise("9.12")
 def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
-    """Colours are taken for granted: a texture, or its derivatives, is not drawn."""
+    """Colours are taken for granted: a texture is not drawn."""
     shade, uv = np.array([0.2, 0.9]), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
     texture = impl.Texture(uv, ALONE[0], np.tile(shade, (4, 8, 1)), "linear")
-    picture, buffers = drawn(impl, CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
+    picture, _ = drawn(impl, CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, by_hand(impl, CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
-    assert_equal(np.shape(buffers[5]), (HEIGHT, WIDTH, 3, 2))
 
 
 @exercise("9.12")
@@ -260,7 +250,7 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
     # No vertex across: all edges are outlines, and what is inside of a face stays as it is.
     no_opposite = np.full(faces.shape, -1)
     _, buffers = drawn(impl, clip, faces, no_opposite, impl.Colours(colours), 64, 64, np.zeros(3))
-    face_index, depth, barycentric, colour = (np.asarray(buffers[k]) for k in (1, 2, 3, 6))
+    face_index, depth, barycentric, colour = (np.asarray(buffers[k]) for k in (1, 2, 3, 4))
     assert_picture(face_index, golden["cube_64x64/face_index"].astype(int))
     assert_close(depth[seen], golden["cube_64x64/depth"][seen], rtol=0, atol=2e-5)
     assert_close(barycentric[seen], expected[seen], rtol=0, atol=1e-4)
@@ -291,7 +281,7 @@ def buffers_of_bar(impl, end):
         (4 * row + 1, 4 * row + 2, end - 1.5, (0, 1), (end - 1.5, end - 1.5),
          (-43.5 - row - 0.5, 46.5 - row - 0.5), 0, 2) for row in range(3)])
     return impl.Buffers(bar(4, 3, end), face_index, np.where(seen, 0.25, np.inf), barycentric,
-                        weight_rows(ALONE[0], face_index, barycentric), None, colour, pairs)
+                        colour, pairs)
 
 
 @exercise("9.13")
@@ -359,8 +349,8 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
     face_index = (weights[1] > 0).all(-1).astype(int)
     barycentric = np.where(face_index[..., None], weights[1], weights[0])
     buffers = impl.Buffers(
-        QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric,
-        weight_rows(faces, face_index, barycentric), None, ndc @ SHADES, pairs_of(impl, []))
+        QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric, ndc @ SHADES,
+        pairs_of(impl, []))
     _, grad_clip = gradients(impl, grad_picture, buffers, faces, impl.Colours(QUAD_COLOURS))
     pulls = np.zeros((4, 2))
     np.add.at(pulls, faces[face_index], barycentric[..., None] * grad_picture[..., None, :])
@@ -415,8 +405,6 @@ def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     picture_of_zero = by_hand(impl, CLIP, 0 * ones)[0]
     grad_picture = rng.normal(size=(HEIGHT, WIDTH, 2))
     texture = impl.Texture(uv, ALONE[0], np.ones((4, 8, 2)), "linear")
-    derivatives = np.zeros((HEIGHT, WIDTH, 3, 2))  # the filter "linear" does not look at them
-    buffers = buffers._replace(weights=None, derivatives=derivatives)
     grad_material, _ = gradients(impl, grad_picture, buffers, ALONE[0], texture)
     assert_close(np.asarray(grad_material[2]).sum((0, 1)),
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
@@ -432,14 +420,13 @@ def test_a_larger_face_has_a_smaller_footprint(impl):
     x, y = np.meshgrid((np.arange(width) - 2) * 2 / width, (np.arange(height) - 1) * 2 / height)
     inverse = np.linalg.inv(WALL[:, [0, 1, 3]])
     barycentric = np.stack([x, y, np.ones_like(x)], -1) @ inverse
-    derivatives = np.tile((inverse[:2] * [[2 / width], [2 / height]]).T, (height, width, 1, 1))
     # A pixel is 0.3 x 0.2 of 4 x 4 texels: 1.2 texels wide. The middle one sees the first texel.
     uv = WALL[:, :2] * [0.3 * width / 2, 0.2 * height / 2] + 1 / 8
     texture = impl.Texture(uv, ALONE[0], np.tile(image, (2, 2))[..., None], "linear-mipmap-linear")
     level = np.log2(1.2)
     colour = np.full((height, width, 1), 1 - level * 3 / 4)  # right in the middle
     buffers = impl.Buffers(WALL, np.zeros((height, width), int), barycentric @ WALL[:, 2],
-                           barycentric, None, derivatives, colour, pairs_of(impl, []))
+                           barycentric, colour, pairs_of(impl, []))
     grad_picture = np.zeros((height, width, 1))
     grad_picture[1, 2] = 8.0
     _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], texture)

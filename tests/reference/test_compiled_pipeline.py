@@ -8,7 +8,13 @@ import pytest
 
 from course.given import compiled, mesh, places
 from course.given.compiled import without_kernels
-from reference import antialiasing, compiled_pipeline, pipeline, transforms
+from reference import (
+    antialiasing,
+    compiled_pipeline,
+    pipeline,
+    rasterization,
+    transforms,
+)
 from reference.pipeline import Colours
 
 WIDTH, HEIGHT = 13, 11
@@ -56,7 +62,9 @@ def is_sound(clip, faces, drawn):
     """No number is huge, no vertex near the camera plane, no sliver seen: they lose digits."""
     if not np.abs(clip).max() < 1e3 or np.abs(clip[:, 3]).min() < 1e-2:
         return False
-    corners = drawn.points[faces[np.unique(drawn.face_index[drawn.face_index >= 0])]][..., :2]
+    x, y, _ = rasterization.screen_points(clip, WIDTH, HEIGHT)
+    seen = faces[np.unique(drawn.face_index[drawn.face_index >= 0])]
+    corners = np.stack([x, y], -1)[seen]
     sides = np.roll(corners, 1, 1) - corners
     area = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
     return (area > 1e-2 * (sides**2).sum(2).max(1)).all()
@@ -109,7 +117,7 @@ def all_of(scene, threads, monkeypatch):
     picture, drawn = compiled_pipeline.draw(*scene)
     upstream = np.sin(np.arange(picture.size)).reshape(picture.shape)
     material, grad_clip = compiled_pipeline.draw_backward(upstream, drawn, *scene[1:4:2])
-    return picture, drawn.face_index, drawn.depth, drawn.numbers, drawn.places, *material, grad_clip
+    return picture, drawn.face_index, drawn.depth, *drawn.pairs, *material, grad_clip
 
 
 @pytest.mark.parametrize("by_faces", [False, True])
@@ -134,6 +142,98 @@ def test_faces_without_their_vertices_are_refused():
     for faces in np.array([[0, 1, 3]]), np.array([[0, -1, 2]]), np.array([[0.0, 1.0, 2.0]]):
         with pytest.raises(ValueError, match="faces"):
             compiled_pipeline.visible(clip, faces, 4, 4)
+
+
+def one_face(scale=1.0, faces=((0, 1, 2),)):
+    """A face over half of 4 x 4 pixels, and what `draw` makes of it."""
+    clip = scale * np.array([[-1.0, -1, 0, 1], [1, -1, 0, 1], [-1, 1, 0, 1]])
+    scene = clip, np.array(faces), np.full((1, 3), -1), Colours(np.eye(3)), 4, 4, np.zeros(3)
+    return scene, compiled_pipeline.draw(*scene)
+
+
+def changed(scene, **parts):
+    names = "clip", "faces", "opposite", "material", "width", "height", "background"
+    return *(parts.get(name, part) for name, part in zip(names, scene, strict=True)),
+
+
+@pytest.mark.parametrize("parts", [
+    {"clip": np.ones((3, 3))}, {"clip": np.ones((2, 4))}, {"faces": np.array([[0, 1]])},
+    {"opposite": np.zeros((1, 2), int)}, {"opposite": np.zeros((0, 3), int)},
+    {"material": Colours(np.ones((2, 3)))}, {"material": Colours(np.ones((3, 2)))},
+    {"background": np.zeros(4)},
+    {"material": pipeline.Texture(np.ones((3, 2)), np.zeros((0, 3), int), np.ones((2, 2, 3)))},
+    {"material": pipeline.Texture(np.ones((2, 2)), np.array([[0, 1, 2]]), np.ones((2, 2, 3)))},
+    {"material": pipeline.Texture(np.ones((3, 1)), np.array([[0, 1, 2]]), np.ones((2, 2, 3)))},
+    {"material": pipeline.Texture(np.ones((3, 2)), np.array([[0, 1, 2]]), np.ones((2, 2, 2)))}])
+def test_a_scene_of_wrong_sizes_is_refused_before_a_kernel_reads_it(parts):
+    """A kernel reads on in memory: garbage in the picture, or the process dies."""
+    scene = changed(one_face()[0], **parts)
+    for draw in compiled_pipeline.draw, without_kernels(pipeline.draw):
+        with pytest.raises((ValueError, IndexError)):
+            draw(*scene)
+
+
+def ways_back(buffers, **parts):
+    """Calls of the way back, compiled and not, of which a part is changed."""
+    pairs = buffers.pairs._replace(**{name: parts.pop(name) for name in ("ends", "other")
+                                      if name in parts})
+    given = {"grad_picture": np.ones((4, 4, 3)), "faces": np.array([[0, 1, 2]]),
+             "material": Colours(np.eye(3))} | parts
+    buffers = buffers._replace(pairs=pairs, **{name: given.pop(name) for name in
+                                               ("face_index", "clip") if name in given})
+    for way in compiled_pipeline.draw_backward, without_kernels(pipeline.draw_backward):
+        yield lambda way=way: way(given["grad_picture"], buffers, given["faces"],
+                                  given["material"])
+
+
+@pytest.mark.parametrize("parts", [
+    {"grad_picture": np.ones((1, 1, 3))}, {"grad_picture": np.ones((4, 3, 3))},
+    {"grad_picture": np.ones((4, 4, 2))}, {"face_index": np.ones((4, 4), np.int32)},
+    {"face_index": np.zeros((5, 4), np.int32)}, {"faces": np.array([[0, 1, 3]])},
+    {"faces": np.array([[0, -4, 1]])}, {"faces": np.zeros((0, 3), int)},
+    {"material": Colours(np.ones((2, 3)))}, {"clip": np.ones((2, 4))}, {"other": np.full(3, 16)}, {"ends": np.full((2, 3), 3)}])
+def test_a_way_back_of_wrong_sizes_is_refused(parts):
+    """Gradients are added to what lies beside an array."""
+    (_, (_, buffers)) = one_face()
+    for way in ways_back(buffers, **parts):
+        with pytest.raises((ValueError, IndexError)):
+            way()
+
+
+def test_pixels_gradients_of_another_size_are_refused():
+    """The kernel reads beside them."""
+    (_, (_, buffers)) = one_face()
+    for to_vertices in compiled_pipeline.to_vertices, without_kernels(pipeline.to_vertices):
+        with pytest.raises((ValueError, IndexError)):
+            to_vertices(np.ones((3, 4, 1)), buffers, np.array([[0, 1, 2]]))
+        with pytest.raises((ValueError, IndexError)):
+            to_vertices(np.ones((4, 4, 1)), buffers, np.array([[0, 1, 3]]))
+
+
+def test_the_way_back_takes_the_faces_and_the_material_that_it_is_given():
+    """It takes those that were drawn."""
+    (_, (_, buffers)) = one_face()
+    given = {"faces": np.array([[2, 0, 1]]), "material": Colours(np.arange(9.0).reshape(3, 3)**2)}
+    (found, found_clip), (expected, grad_clip) = (way() for way in ways_back(buffers, **given))
+    np.testing.assert_allclose(found.colours, expected.colours, rtol=1e-12)
+    np.testing.assert_allclose(found_clip, grad_clip, rtol=0, atol=1e-12)
+    assert np.abs(grad_clip - next(ways_back(buffers))()[1]).max() > 1
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-170, 1e160, 1e300])
+@pytest.mark.parametrize("is_textured", [False, True])
+def test_the_unit_of_clip_space_is_free(scale, is_textured):
+    """Products of two coordinates over- or underflow: NaN, or 0, for the gradients of colours."""
+    material = Colours(np.eye(3))
+    if is_textured:
+        image = np.random.default_rng(0).normal(size=(4, 4, 3))
+        uv = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
+        material = pipeline.Texture(uv, np.array([[0, 1, 2]]), image)
+    (expected, grad_clip), (found, found_clip) = (
+        compiled_pipeline.draw_backward(np.ones((4, 4, 3)) * [1, 2, 3], drawn, scene[1], material)
+        for scene, (_, drawn) in (one_face(), one_face(scale)))
+    np.testing.assert_allclose(found[0], expected[0], rtol=1e-12)
+    np.testing.assert_allclose(found_clip * scale, grad_clip, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("numba", ["None", "sys.modules.get('numba')"])

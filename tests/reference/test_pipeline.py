@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import mipmapping, outlines, pipeline, scanline, transforms
+from reference import mipmapping, outlines, pipeline, rasterization, scanline, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -142,7 +142,9 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
         return grads.positions, grads.material.uv, grads.material.image, grads.clip_from_model
 
     def decisions(buffers, positions, uv, *_):
-        at, footprint = pipeline.footprints(uv, uv_faces, buffers)
+        derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip,
+                                                             shape.faces)
+        at, footprint = pipeline.footprints(uv, uv_faces, buffers, derivatives)
         level = mipmapping.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
@@ -350,14 +352,24 @@ def test_a_gradient_of_another_shape_is_told():
         pipeline.render_backward(picture[..., 0], buffers, shape, texture, view)
 
 
-def test_buffers_of_another_surface_are_told():
-    """A TypeError, as there is nothing to unpack."""
+def test_a_material_that_does_not_fit_the_picture_is_told():
+    """Gradients of another shape come back, or compiled code reads beside an array."""
     shape, surface, view = scene("cube")
-    texture = Texture(np.zeros((len(shape.positions), 2)), shape.faces, np.zeros((4, 4, 2)))
-    for one, other in (surface, texture), (texture, surface):
-        picture, buffers = pipeline.render(shape, one, view)
-        with pytest.raises(ValueError, match="Buffers of a picture with this material; got"):
-            pipeline.render_backward(picture, buffers, shape, other, view)
+    picture, buffers = pipeline.render(shape, surface, view)
+    texture = Texture(np.zeros((8, 2)), shape.faces[1:], np.zeros((4, 4, 2)))
+    for material, told in ((Colours(surface.colours[:2]), r"colours \(8, 2\); got \(2, 2\)"),
+                           (Colours(surface.colours[:, :1]), r"colours \(8, 2\); got \(8, 1\)"),
+                           (texture, r"uv_faces \(12, 3\); got \(11, 3\)")):
+        with pytest.raises(ValueError, match=told):
+            pipeline.render_backward(picture, buffers, shape, material, view)
+
+
+def test_buffers_are_a_tuple_with_names():
+    """Where numba is, they are something else: no index, no _replace."""
+    _, buffers = pipeline.render(*scene("cube"))
+    assert isinstance(buffers, pipeline.Buffers)
+    assert buffers[1] is buffers.face_index and len(buffers) == 6
+    assert buffers._replace(depth=None).depth is None
 
 
 def test_a_good_scene_is_rendered():

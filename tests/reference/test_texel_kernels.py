@@ -11,6 +11,7 @@ from reference import (
     mipmapping,
     pipeline,
     pyramid_kernels,
+    rasterization,
     rasterizer_gradients,
     texel_kernels,
     texturing,
@@ -156,12 +157,12 @@ def through_numpy(monkeypatch, seen, faces, material, grad_colour):
     """The pipeline's own steps: at, footprint, colour, gradients of the Texture and of clip."""
     for name in "texture", "texture_backward":
         monkeypatch.setattr(mipmapping, name, unwrap(getattr(mipmapping, name)))
-    seen = pipeline.with_derivatives(seen, faces)
-    grads, *weights = pipeline.textured_backward(grad_colour, seen, material)
+    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
+    grads, *weights = pipeline.textured_backward(grad_colour, seen, faces, material)
     grad_clip = rasterizer_gradients.rasterize_backward(*weights, None, seen.face_index, seen.clip,
                                                         faces)
-    return (*pipeline.footprints(material.uv, material.uv_faces, seen),
-            pipeline.textured(seen, material), grads, grad_clip)
+    return (*pipeline.footprints(material.uv, material.uv_faces, seen, derivatives),
+            pipeline.textured(seen, faces, material), grads, grad_clip)
 
 
 def require_the_pipelines_numbers(monkeypatch, seen, faces, material):

@@ -94,7 +94,8 @@ class Rasterize(torch.autograd.Function):
             rast[n, ..., :2] = seen.barycentric[..., :2]
             rast[n, ..., 2][is_seen] = seen.depth[is_seen]
             rast[n, ..., 3][is_seen] = seen.face_index[is_seen] + (first + 1)
-            derivatives = tensors.labs.pipeline.with_derivatives(seen, faces).derivatives
+            derivatives = tensors.labs.rasterization.barycentrics_derivatives(
+                seen.face_index, seen.clip, faces)
             rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
             if depths is not None:
                 depths[n] = seen.depth

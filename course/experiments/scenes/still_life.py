@@ -196,14 +196,15 @@ def picture(labs, scene, width, height, samples=16):
 def shaded(labs, scene, clip, eye, picture, bias=0.0):
     """A background (H, W, 3), on which the things are painted that an eye sees."""
     seen = labs.pipeline.visible(clip, scene.faces, *picture.shape[1::-1])
-    seen = labs.pipeline.with_derivatives(seen, scene.faces)
+    derivatives = labs.rasterization.barycentrics_derivatives(seen.face_index, clip, scene.faces)
     there = seen.face_index >= 0
     normals = mesh.vertex_normals(scene.vertices, scene.faces)
     given = np.concatenate([scene.vertices - eye, normals], 1), scene.faces, seen.face_index
     at = labs.interpolation.interpolate(*given, seen.barycentric)[there]
-    change = labs.interpolation.interpolate_derivatives(*given, seen.derivatives)[there]
+    change = labs.interpolation.interpolate_derivatives(*given, derivatives)[there]
     away, normals = at[:, :3], mesh.unit(at[:, 3:])
-    colour = painted(labs, scene, seen, bias) * received(labs, scene.lamps, away + eye, normals)
+    colour = painted(labs, scene, seen, derivatives, bias)
+    colour *= received(labs, scene.lamps, away + eye, normals)
     look = away + eye, *reflected(away, change[:, :3], at[:, 3:], change[:, 3:])
     slant = 1 - np.abs((mesh.unit(away) * normals).sum(1, keepdims=True))
     for thing, cube in scene.cubes.items():
@@ -216,11 +217,11 @@ def shaded(labs, scene, clip, eye, picture, bias=0.0):
     return picture
 
 
-def painted(labs, scene, seen, bias):
+def painted(labs, scene, seen, derivatives, bias):
     """The colours (N, 3) of the textures at the pixels that see a thing."""
     thing = scene.thing[seen.face_index[seen.face_index >= 0]]
     corners = np.arange(len(scene.uv)).reshape(-1, 3)
-    uv, footprint = labs.pipeline.footprints(scene.uv, corners, seen)
+    uv, footprint = labs.pipeline.footprints(scene.uv, corners, seen, derivatives)
     colour = np.empty((len(uv), 3))
     for k, texture in enumerate(scene.textures):
         its = thing == k
