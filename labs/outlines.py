@@ -72,6 +72,10 @@ def jumping_pairs(face_index, depth, screen, faces, outlined):
     """Eqs. (2) and (3): the Pairs that see different faces, and whose owner's face is outlined.
 
     screen: x, y, w (V,) of the vertices. outlined: bool (F + 1,), the last for face_index -1.
+
+    Where the pair's line runs exactly along an edge between two faces, its pixels see the face
+    above, of which no corner lies below. So no edge is crossed, and an outline further on is
+    missed. nvdiffrast's kernels decide so, and the golden numbers have such ties.
     """
     owner, other = owner_and_other(*neighbour_pairs(face_index, outlined[face_index]), depth)
     face = face_index.ravel()[owner]

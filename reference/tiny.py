@@ -100,7 +100,7 @@ def blended_pairs(screen, faces, seen, nearest):
     at, own, across = (EDGES[k].T, n), corner[k, n], corners_across(faces)[face, k]
     ends, u, v, c = corner[at], u[at], v[at], c[k, n]
     side, beyond = (edge_functions(*screen[:2, [*ends, p]]).sum(0) for p in (own, across))
-    kept = (side * beyond > 0) & (abs(v[1] - v[0]) >= abs(u[1] - u[0])) & (0 < c) & (c < 1)
+    kept = (side * beyond >= 0) & (abs(v[1] - v[0]) >= abs(u[1] - u[0])) & (0 <= c) & (c <= 1)
     return [part[..., kept] for part in (owner, other, ends, u, v, dx, dy, c)]
 
 

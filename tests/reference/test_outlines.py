@@ -44,6 +44,23 @@ def test_gradients_are_those_of_nvdiffrast(scene):
     np.testing.assert_allclose(got[1], grad_clip, rtol=0, atol=1e-9 * np.abs(grad_clip).max())
 
 
+def test_on_an_exact_tie_the_outline_is_missed_as_nvdiffrast_misses_it():
+    """A corner on the line counts as below: then the scene gridaligned is not nvdiffrast's. 1e-9
+    away the pixel is blended, from either side.
+    """
+    vertices = np.array([[-0.53, 0, 0], [-0.5, -0.5, 0], [0.5, -0.5, 0], [0.53, 0, 0],
+                         [0.5, 0.5, 0], [-0.5, 0.5, 0]])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
+    shown = []
+    for shift in 0.0, 1e-9, -1e-9:
+        clip = np.column_stack([vertices + [0, shift, 0], np.ones(6)])
+        opposite = antialiasing.opposite_vertices(faces)
+        face_index, depth = scanline.rasterize(clip, faces, 9, 9)
+        colour = (face_index >= 0).astype(float)[..., None]
+        shown.append(outlines.antialias(colour, face_index, depth, clip, faces, opposite)[4, 6, 0])
+    np.testing.assert_allclose(shown, [1, 0.885, 0.885], rtol=0, atol=1e-7)
+
+
 # --- pictures ----------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("seed", range(4))

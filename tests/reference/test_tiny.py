@@ -37,6 +37,18 @@ def test_pictures_and_gradients_are_the_pipelines(size):
         np.testing.assert_allclose(gradient, other, rtol=0, atol=1e-13 * np.abs(other).max())
 
 
+def test_a_face_that_is_seen_edge_on_ends_at_an_outline():
+    """A cube seen straight on, without perspective, has no outline, and no gradient."""
+    corners = np.array([*np.ndindex(2, 2, 2)]) - 0.5
+    faces = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+                      [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+    camera, white = np.diag([1, 1, -0.5, 1]), np.ones((8, 1))
+    picture, kept = tiny.render(corners, white, faces, camera, 10)  # 2.5 pixels to each side
+    np.testing.assert_array_equal(picture[5, :, 0], [0, 0, 0.5, 1, 1, 1, 1, 0.5, 0, 0])
+    grad_positions, _ = tiny.render_backward(np.ones(picture.shape), kept, white, camera)
+    assert np.abs(grad_positions).max() > 1
+
+
 def test_it_runs_as_its_first_lines_say(tmp_path, monkeypatch, capsys):
     """The derivative is another one than the difference, the descent climbs, the file is no BMP."""
     monkeypatch.chdir(tmp_path)
