@@ -25,6 +25,7 @@ from . import (
     pixel_kernels,
     rasterizer_gradients,
 )
+from .texel_kernels import constant
 
 SMALL = 1 << 14   # pixels, or faces: for fewer, a second thread costs more than it gains
 BAND = 1 << 15    # pixels, whose pairs or runs are found at once
@@ -214,11 +215,6 @@ def draw(clip, faces, opposite, material, width, height, background):
     picture = colour.copy()
     pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
     return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
-
-
-def constant(channels):
-    """So many channels, as kernels take them that know how many when they are compiled."""
-    return (0.0,) * channels
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):

@@ -93,7 +93,7 @@ def cross(p, q):
 
 
 @kernel
-def unit_of(clip, a, b, c):
+def unit_of_corners(clip, a, b, c):
     """1 / the largest x, y or w of a face: in such units no product of two over- or underflows."""
     largest = 0.0
     for vertex in (a, b, c):
@@ -151,7 +151,7 @@ def run_gradients(runs, face_index, clip, faces, uv, uv_faces, width, grad_at, g
         start, face = runs[run, 0], face_index[runs[run, 0]]
         X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-        unit = unit_of(clip, a, b, c)
+        unit = unit_of_corners(clip, a, b, c)
         q0, q1, q2 = (corner_from(clip, a, X, Y, unit), corner_from(clip, b, X, Y, unit),
                       corner_from(clip, c, X, Y, unit))
         n0, n1, n2 = cross(q1, q2), cross(q2, q0), cross(q0, q1)

@@ -12,7 +12,7 @@ def draw(clip, faces, opposite, material, width, height, background):
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
-    clip, face_index, _, _, _, _, colour, pairs = buffers
+    clip, face_index, _, _, colour, pairs = buffers
     grad_colour, grad_clip = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_material, grad_barycentric, grad_derivatives = shade_backward(grad_colour, buffers, faces,
                                                                        material)

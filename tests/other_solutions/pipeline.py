@@ -14,7 +14,7 @@ def draw(clip, faces, opposite, material, width, height, background):
                                   opposite)[..., 0] for channel in channels]
     pairs = outlines.blended_pairs(seen.face_index, seen.depth, clip, faces, opposite)
     backwards = tuple(np.asarray(values)[..., ::-1] for values in pairs)
-    return np.stack(picture, -1), (*buffers[:7], backwards)
+    return np.stack(picture, -1), (*buffers[:5], backwards)
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
