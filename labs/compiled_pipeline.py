@@ -128,19 +128,14 @@ def contiguous(clip, faces):
 def barycentrics(face_index, points, faces):
     """`rasterization.barycentrics`, from the points of `screen_vertices`."""
     height, width = face_index.shape
-    barycentric = np.empty((3, height * width))
+    weights = np.empty((3, height * width))
 
     def band(bottom, top):
         pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
-                                       barycentric)
+                                       tuple(weights))
 
     on_all_cores(band, height, face_index.size)
-    return pixels_last(barycentric, height, width)
-
-
-def pixels_last(barycentric, height, width):
-    """(3, H W) as (H, W, 3): one weight of all pixels lies after the other."""
-    return barycentric.reshape(3, height, width).transpose(1, 2, 0)
+    return weights.reshape(3, height, width).transpose(1, 2, 0)
 
 
 def coloured(face_index, points, faces, colours, background):
@@ -148,16 +143,14 @@ def coloured(face_index, points, faces, colours, background):
     of `screen_vertices`.
     """
     height, width = face_index.shape
-    barycentric, colour = np.empty((3, height * width)), np.empty((height, width, len(background)))
+    weights, colour = np.empty((3, height * width)), np.empty((height, width, len(background)))
 
     def band(bottom, top):
-        pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
-                                       barycentric)
-        pixel_kernels.colour_rows(face_index.ravel(), barycentric, faces, colours, background,
-                                  bottom * width, top * width, colour.ravel())
+        pixel_kernels.colour_rows(face_index.ravel(), points, faces, colours, background, width,
+                                  bottom, top, tuple(weights), colour.ravel())
 
-    list(in_bands(band, width, height))
-    return pixels_last(barycentric, height, width), colour
+    on_all_cores(band, height, face_index.size)
+    return weights.reshape(3, height, width).transpose(1, 2, 0), colour
 
 
 def blended_pairs(face_index, depth, points, faces, opposite):
@@ -248,8 +241,6 @@ def pairs_backward(grad_picture, buffers, grad):
     """
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
-    inputs.require(len({part.shape[-1] for part in pairs}) == 1, "pairs of one length",
-                   [part.shape for part in pairs])
     pixels = np.empty(2 * len(pairs.c), np.intp)
     grad_pixels = np.empty(len(pixels) * channels)
     are_there = pair_kernels.blend_backward(

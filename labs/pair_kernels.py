@@ -162,6 +162,10 @@ def blend_backward(grad_picture, colour, pairs, channels, clip, width, height, g
     grad_picture: pixels (2 N,), grad_pixels flat, C numbers for each -> whether all are there.
     """
     count, size, vertices = len(channels), width * height, len(clip)
+    if (min(len(pairs.owner), len(pairs.other), pairs.ends.shape[1], pairs.x.shape[1],
+            pairs.y.shape[1]) < len(pairs.c)
+            or min(len(pairs.ends), len(pairs.x), len(pairs.y)) < 2):
+        return False
     for n in range(len(pairs.c)):
         owner, other, i, j = pairs.owner[n], pairs.other[n], pairs.ends[0, n], pairs.ends[1, n]
         if (min(owner, other) < 0 or max(owner, other) >= size or min(i, j) < 0

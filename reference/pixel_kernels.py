@@ -44,49 +44,58 @@ def weights_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
 
 
 @kernel
-def barycentric_rows(face_index, points, faces, width, bottom, top, barycentric):
-    """What `barycentrics` finds in rows bottom <= row < top: barycentric (3, H W)."""
+def weigh(points, faces, face, row, first, start, end, weights):
+    """Eq. (5) at the pixels of a run: weights, three arrays (H W,). 0 where no face is seen."""
+    b0, b1, b2 = weights
+    if face < 0:
+        for pixel in range(start, end):
+            b0[pixel] = b1[pixel] = b2[pixel] = 0.0
+        return
+    corners = screen_corners(points, faces[face, 0], faces[face, 1], faces[face, 2])
+    for column in range(start - first, end - first):
+        b0[first + column], b1[first + column], b2[first + column] = weights_at(
+            np.int32(column) + 0.5, row + 0.5, *corners)
+
+
+@kernel
+def barycentric_rows(face_index, points, faces, width, bottom, top, weights):
+    """What `barycentrics` finds in rows bottom <= row < top: weights, three arrays (H W,)."""
+    for row in range(bottom, top):
+        first, last = np.uintp(row * width), np.uintp((row + 1) * width)
+        start = first
+        while start < last:
+            end = run_end(face_index, start, last)
+            weigh(points, faces, face_index[start], row, first, start, end, weights)
+            start = end
+
+
+@kernel
+def colour_rows(face_index, points, faces, colours, background, width, bottom, top, weights,
+                picture):
+    """The same, and `interpolate`. picture: flat, C numbers a pixel. background: a tuple of C
+    numbers, so that C is known when this is compiled.
+    """
+    channels = np.uintp(len(background))
+    b0, b1, b2 = weights
     for row in range(bottom, top):
         first, last = np.uintp(row * width), np.uintp((row + 1) * width)
         start = first
         while start < last:
             end = run_end(face_index, start, last)
             face = face_index[start]
+            weigh(points, faces, face, row, first, start, end, weights)
             if face < 0:
                 for pixel in range(start, end):
-                    barycentric[0, pixel] = barycentric[1, pixel] = barycentric[2, pixel] = 0.0
+                    for k in range(channels):
+                        picture[pixel * channels + k] = background[k]
             else:
                 a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-                corners = screen_corners(points, a, b, c)
                 for pixel in range(start, end):
-                    (barycentric[0, pixel], barycentric[1, pixel],
-                     barycentric[2, pixel]) = weights_at(
-                        np.int32(pixel - first) + 0.5, row + 0.5, *corners)
+                    for k in range(channels):
+                        picture[pixel * channels + k] = (0.0 + b0[pixel] * colours[a, k]
+                                                         + b1[pixel] * colours[b, k]
+                                                         + b2[pixel] * colours[c, k])
             start = end
-
-
-@kernel
-def colour_rows(face_index, barycentric, faces, colours, background, first, last, picture):
-    """`interpolate` for pixels first <= pixel < last. picture: flat, C numbers a pixel. background:
-    a tuple of C numbers, so that C is known when this is compiled.
-    """
-    channels = np.uintp(len(background))
-    start, last = np.uintp(first), np.uintp(last)
-    while start < last:
-        end = run_end(face_index, start, last)
-        face = face_index[start]
-        if face < 0:
-            for pixel in range(start, end):
-                for k in range(channels):
-                    picture[pixel * channels + k] = background[k]
-        else:
-            a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-            for pixel in range(start, end):
-                for k in range(channels):
-                    picture[pixel * channels + k] = (0.0 + barycentric[0, pixel] * colours[a, k]
-                                                     + barycentric[1, pixel] * colours[b, k]
-                                                     + barycentric[2, pixel] * colours[c, k])
-        start = end
 
 
 @kernel
@@ -99,19 +108,23 @@ def are_there(faces, face, vertex_count):
 
 
 @kernel
-def unit_of(clip, corners):
-    """1 / the largest x, y or w of a face: in such units no product of two over- or underflows."""
-    largest = 0.0
-    for vertex in corners:
-        largest = max(largest, abs(clip[vertex, 0]), abs(clip[vertex, 1]), abs(clip[vertex, 3]))
-    return min(1 / largest, 1e300)
+def corner_at(clip, vertex, X, Y):
+    """q_k of rasterizer_gradients.py: a corner, measured from the place X, Y in ndc."""
+    w = clip[vertex, 3]
+    return clip[vertex, 0] - X * w, clip[vertex, 1] - Y * w, w
 
 
 @kernel
-def corner_at(clip, vertex, X, Y, unit):
-    """q_k of rasterizer_gradients.py: a corner, measured from the place X, Y in ndc."""
-    x, y, w = clip[vertex, 0] * unit, clip[vertex, 1] * unit, clip[vertex, 3] * unit
-    return x - X * w, y - Y * w, w
+def unit_of(p, q, r):
+    """A unit in which no product of two of the corners' numbers over- or underflows."""
+    size = ((abs(p[0]) + abs(p[1]) + abs(p[2])) + (abs(q[0]) + abs(q[1]) + abs(q[2]))
+            + (abs(r[0]) + abs(r[1]) + abs(r[2])))
+    return min(1 / size, 1e300)
+
+
+@kernel
+def scaled(q, unit):
+    return q[0] * unit, q[1] * unit, q[2] * unit
 
 
 @kernel
@@ -157,11 +170,11 @@ def edge_sums(count, step, h1, h2, b1, b2, r):
 
 
 @kernel
-def write_corner(record, run, at, X, Y, unit, u, v):
+def write_corner(record, run, at, X, Y, u, v):
     """Gradients u + v of q_k -> those of the corner's x, y and w."""
     x, y = u[0] + v[0], u[1] + v[1]
-    record[run, at], record[run, at + 1] = x * unit, y * unit
-    record[run, at + 2] = (u[2] + v[2] - X * x - Y * y) * unit  # as q = (x - X w, y - Y w, w)
+    record[run, at], record[run, at + 1] = x, y
+    record[run, at + 2] = u[2] + v[2] - X * x - Y * y  # as q = (x - X w, y - Y w, w)
 
 
 @kernel
@@ -174,9 +187,9 @@ def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colour
     b0, b1, b2, r, h1, h2 = scratch
     a, b, c = corners
     size, stride = np.uintp(len(channels)), 3 + len(channels)
-    unit = unit_of(clip, corners)
-    q0, q1, q2 = (corner_at(clip, a, X, Y, unit), corner_at(clip, b, X, Y, unit),
-                  corner_at(clip, c, X, Y, unit))
+    q0, q1, q2 = corner_at(clip, a, X, Y), corner_at(clip, b, X, Y), corner_at(clip, c, X, Y)
+    unit = unit_of(q0, q1, q2)
+    q0, q1, q2 = scaled(q0, unit), scaled(q1, unit), scaled(q2, unit)
     weights_along(count, step, edge_along(q1, q2), edge_along(q2, q0), edge_along(q0, q1),
                   b0, b1, b2, r)
     for i in range(count):
@@ -193,12 +206,14 @@ def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colour
         record[run, stride + 3 + k] = sum1
         record[run, 2 * stride + 3 + k] = sum2
     g0, g1, g2 = edge_sums(count, step, h1, h2, b1, b2, r)
+    g0, g1, g2 = (g0[0] * unit, g0[1] * unit), (g1[0] * unit, g1[1] * unit), (
+        g2[0] * unit, g2[1] * unit)
     to_q1, to_q2 = edge_along_backward(*g0, q1, q2)
     also_q2, to_q0 = edge_along_backward(*g1, q2, q0)
     also_q0, also_q1 = edge_along_backward(*g2, q0, q1)
-    write_corner(record, run, 0, X, Y, unit, to_q0, also_q0)
-    write_corner(record, run, stride, X, Y, unit, to_q1, also_q1)
-    write_corner(record, run, 2 * stride, X, Y, unit, to_q2, also_q2)
+    write_corner(record, run, 0, X, Y, to_q0, also_q0)
+    write_corner(record, run, stride, X, Y, to_q1, also_q1)
+    write_corner(record, run, 2 * stride, X, Y, to_q2, also_q2)
 
 
 @kernel

@@ -192,7 +192,7 @@ def ways_back(buffers, **parts):
     {"face_index": np.zeros((5, 4), np.int32)}, {"faces": np.array([[0, 1, 3]])},
     {"faces": np.array([[0, -4, 1]])}, {"faces": np.zeros((0, 3), int)},
     {"material": Colours(np.ones((2, 3)))}, {"clip": np.ones((2, 4))},
-    {"other": np.full(3, 16)}, {"ends": np.full((2, 3), 3)}])
+    {"other": np.full(3, 16)}, {"other": np.zeros(2, int)}, {"ends": np.full((2, 3), 3)}])
 def test_a_way_back_of_wrong_sizes_is_refused(parts):
     """Gradients are added to what lies beside an array."""
     (_, (_, buffers)) = one_face()
