@@ -86,7 +86,7 @@ def chunks(count):
     >>> [count[part].tolist() for part in chunks(count)]
     [[32767, 1], [1]]
     """
-    total = np.cumsum(count)
+    total = np.cumsum(count, dtype=np.int64)
     start = 0
     while start < len(count):
         done = total[start - 1] if start else 0

@@ -134,9 +134,9 @@ def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
     for number in range(1, 15):
         triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
         corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
+    edge = np.concatenate(corners) @ np.array([len(points), 1], np.int64)
     edge, faces = np.unique(edge, return_inverse=True)
-    a, b = np.divmod(edge, len(points))
+    a, b = np.stack(np.divmod(edge, len(points))).astype(np.intp)
     vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
 

@@ -87,13 +87,14 @@ def can_flip(vertices, faces, quads):
     face without area counts as lying in the plane of the other one.
     """
     edges, _ = mesh.edges(faces)
-    new = np.sort(quads[:, 2:], axis=1) @ [len(vertices), 1]
+    to_key = np.array([len(vertices), 1], np.int64)
+    new = np.sort(quads[:, 2:], axis=1) @ to_key
     corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
     normal = unit(area_vectors(corners))
     empty = ~normal[:, :2].any(-1, keepdims=True)
     normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
     alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
-    return alike & ~np.isin(new, edges @ [len(vertices), 1])
+    return alike & ~np.isin(new, edges @ to_key)
 
 
 def flip_best(vertices, faces, quads, quad_faces, gain):

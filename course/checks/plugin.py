@@ -78,11 +78,19 @@ def checked_exercise(topic, mark):
                      if exercise.number == mark.args[0]), None)
 
 
+class Generator(np.random.Generator):
+    """Its integers may be indices: in a browser these have 32 bits, and NumPy refuses others."""
+
+    def integers(self, *args, **options):
+        """The same numbers everywhere, of the type of NumPy's own indices."""
+        return super().integers(*args, **options).astype(np.intp)
+
+
 @pytest.fixture
 def rng(request):
     """This check's own random numbers, made from --seed, its file's name and its own."""
     name = zlib.crc32(f"{request.path.name}::{request.node.name}".encode())
-    return np.random.default_rng([request.config.option.seed, name])
+    return Generator(np.random.PCG64([request.config.option.seed, name]))
 
 
 @pytest.fixture(name="gradcheck")

@@ -65,7 +65,7 @@ def switch_on(functions):
 
 
 def standard(value):
-    """An array in C order, of float64, int64, complex128 or booleans, or one NumPy number.
+    """An array in C order, of float64, np.intp, complex128 or booleans, or one NumPy number.
 
     A tuple becomes a tuple of these, and so does a list whose rows differ in length. A NamedTuple
     stays one. What is neither a number nor an array of numbers stays as it is.

@@ -1,7 +1,7 @@
 """Triangle meshes as two plain arrays: simple shapes, normals and edges.
 
 vertices (V, 3) float64   positions, one row per vertex
-faces    (F, 3) int64     three vertex indices from 0, counter-clockwise seen from outside
+faces    (F, 3) np.intp   three vertex indices from 0, counter-clockwise seen from outside
 
 Functions that make a mesh return the tuple `vertices, faces`. Functions that measure one expect
 what `inputs.require_mesh` accepts.
@@ -235,10 +235,11 @@ def edges(faces):
         face = np.argmax((start == end).any(axis=1))
         raise ValueError(f"face {face} names a vertex twice ({faces[face].tolist()}): "
                          "leave such faces out before asking for edges")
-    vertex_count = faces.max(initial=0) + 1
+    vertex_count = np.int64(faces.max(initial=0)) + 1
     key = np.minimum(start, end) * vertex_count + np.maximum(start, end)
     key, face_edges = np.unique(key, return_inverse=True)
-    return np.stack(np.divmod(key, vertex_count), axis=1), face_edges.reshape(faces.shape)
+    pairs = np.stack(np.divmod(key, vertex_count), axis=1).astype(np.intp)
+    return pairs, face_edges.reshape(faces.shape)
 
 
 def edge_faces(faces):

@@ -17,7 +17,7 @@ from ..given import places
 MOST = 6.8  # this number may only become smaller
 TAUGHT = "reference"
 NOT_COUNTED = "labs/", "site/", "tests/site/", "benchmarks/"
-CODE = ".py", ".js", ".html", ".css", ".sh", "/run"
+CODE = ".py", ".js", ".mjs", ".html", ".css", ".sh", "/run"
 CHANGE = *map(str, range(10)), "->", "and "  # how a line of a known mistake begins
 WITHOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT,
            tokenize.ENCODING, tokenize.ENDMARKER}

@@ -26,8 +26,8 @@ def buffers(rng, channels, trailing=()):
 
     Weights stand at empty pixels, too. Faces repeat a vertex here and there.
     """
-    faces = rng.integers(0, 11, (13, 3), np.intp)
-    face_index = np.maximum(rng.integers(-4, 12, (7, 5), np.intp), -1)
+    faces = rng.integers(0, 11, (13, 3))
+    face_index = np.maximum(rng.integers(-4, 12, (7, 5)), -1)
     weights = rng.normal(size=(7, 5, 3, *trailing))
     return rng.normal(size=(11, channels)), faces, face_index, weights
 

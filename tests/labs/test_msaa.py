@@ -361,7 +361,7 @@ def test_the_mean_of_a_pixel_on_paper(impl):
 def test_the_mean_of_any_number_of_samples(impl, rng, count):
     """Divided by 4, whatever the number of samples. Or only two different samples are mixed."""
     shade, background = rng.random((6, 3)), rng.random(3)
-    request = rng.integers(-1, 6, (count, 5, 4), np.intp)
+    request = rng.integers(-1, 6, (count, 5, 4))
     expected = mean_shades(shade, request, background)
     assert_picture(impl.resolve(shade, request, background), expected, atol=1e-12)
 
@@ -389,7 +389,7 @@ def test_a_common_colour_comes_out_to_the_bit(impl, rng, count):
     bit. Equal colours must come out exactly.
     """
     colours = rng.random((40, 3))
-    request = np.arange(40) + 40 * rng.integers(0, 3, (count, 1, 40), np.intp)  # 3 of one colour
+    request = np.arange(40) + 40 * rng.integers(0, 3, (count, 1, 40))  # 3 of one colour
     got = impl.resolve(np.tile(colours, (3, 1)), request, np.ones(3))
     assert_equal(got, colours[None])
     got = impl.resolve(np.zeros((1, 3)), np.full((count, 1, 1), -1), colours[0])
@@ -434,7 +434,7 @@ def test_without_shades_the_background_has_all_of_the_gradient(impl):
 @pytest.mark.parametrize("count", [1, 3, 4])
 def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count, gradcheck):
     """One channel for all. The two gradients are swapped. Or grad_picture is summed up before."""
-    request = rng.integers(-1, 5, (count, 3, 4), np.intp)
+    request = rng.integers(-1, 5, (count, 3, 4))
     request[0, 0, :2] = -1, 0  # whatever the seed: some see the background, some a shade
 
     gradcheck(mean_shades, impl.resolve_backward, (rng.random((5, 3)), request, rng.random(3)),

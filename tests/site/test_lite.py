@@ -1,6 +1,7 @@
 """JupyterLite: what it holds runs where there are no processes, threads or timers of our own.
 
-So it is in Pyodide, which the tests cannot load. They take these away from a Python of their own.
+So it is in Pyodide, where tests/pyodide runs the lab checks. Here these are taken away from a
+Python of our own.
 """
 import contextlib
 import importlib.util
@@ -86,25 +87,6 @@ def test_the_board_reads_a_lab_anew(contents):
     finally:
         lab.write_text(before, "utf-8")
     assert told.index("not started") < told.index("All that was asked for is done")
-
-
-def test_the_indices_of_a_check_are_no_wider_than_numpys(contents):
-    """rng.integers gives 64 bits where indices have 32, and NumPy refuses them. Imitated: what it
-    gives without a type is no index.
-    """
-    told = as_in_a_browser(contents, """
-import numpy as np
-from course import board
-
-class Narrow(np.random.Generator):
-    def integers(self, low, high=None, size=None, dtype=float):
-        return super().integers(low, high, size).astype(dtype)
-
-np.random.default_rng = lambda seed: Narrow(np.random.PCG64(seed))
-for number in "4.10", "4.11", "5.13":
-    board.show(number, "reference")
-""")
-    assert told.count("All that was asked for is done") == 3
 
 
 def test_a_lecture_runs_from_its_first_cell_to_its_last(contents):

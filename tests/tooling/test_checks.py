@@ -520,6 +520,17 @@ def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run
     assert drawn("-k", "not_those", "--seed", "1") != [first]
 
 
+def test_random_integers_can_be_indices_where_these_have_32_bits(rng, monkeypatch):
+    """As in a browser: NumPy refuses int64 there. Or the numbers are not those of 64 bits."""
+    plain = np.random.default_rng()
+    plain.bit_generator.state = rng.bit_generator.state
+    expected = plain.integers(-5, 99, 40), plain.integers(9)
+    monkeypatch.setattr(np, "intp", np.int32)
+    drawn = rng.integers(-5, 99, 40), rng.integers(9)
+    assert [numbers.dtype for numbers in drawn] == [np.int32, np.int32]
+    assert_equal(drawn, expected)
+
+
 def test_verdicts_are_the_same_in_another_process(course, run_module, output):
     """The record of a check does not survive the way to the main process."""
     done = run_module(course, "pytest", "--impl=labs", "-n", "1")

@@ -201,6 +201,14 @@ def test_face_edges_lie_opposite_to_their_vertex():
         np.testing.assert_array_equal(edges[face_edges[:, k]], others)
 
 
+def test_many_vertices_do_not_get_mixed_up_where_indices_have_32_bits(monkeypatch):
+    """As in a browser: the product of two indices overflows, and nothing says so."""
+    monkeypatch.setattr(np, "intp", np.int32)
+    edges, _ = mesh.edges(np.array([[0, 69_999, 69_998]]))
+    assert edges.dtype == np.int32
+    assert edges.tolist() == [[0, 69_998], [0, 69_999], [69_998, 69_999]]
+
+
 def test_edge_faces_are_the_faces_that_hold_the_edge():
     """A neighbour missed, doubled, or taken from another edge."""
     for _, faces in (mesh.teapot(), mesh.cube(48), TRIANGLE):
