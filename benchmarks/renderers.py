@@ -83,7 +83,10 @@ def compiled(scene):
 
 
 def drtk(scene):
-    """C++, float32. Its gradient of silhouettes is another estimate than ours: the same edges."""
+    """C++, float32. On the way back it takes more pairs of neighbouring pixels than ours: each in
+    which one shows no face, or in which the face of one lies hidden behind the other, too. Ours,
+    nvdiffrast's, is blended only where the last edge of the owner's own face is a silhouette.
+    """
     import drtk
     import torch
     torch.set_num_threads(1)

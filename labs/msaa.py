@@ -16,7 +16,7 @@ In a lattice each of S columns holds one sample. Each of S rows does, too, if k 
 common divisor but 1. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
 another, so the vertices have no useful gradient here. The colours have one, `resolve_backward`.
 
-Sources: GAMES101 lecture 6 and homework 2, Lottes 2009 (FXAA), Karis 2014 (TAA).
+Sources: notes on GAMES101 lecture 6, Lottes 2009 (FXAA), Karis 2014 (TAA).
 """
 import numpy as np
 from scipy import ndimage
@@ -268,7 +268,7 @@ def cost(face_index, sample_bytes):  # extra 4.12 (2 points)
 
 
 def rate_times_colour(clip, faces, colours, width, height, pattern, background):
-    """A KNOWN MISTAKE, that of homework 2: rate x colour, with one depth for each pixel.
+    """A KNOWN MISTAKE of a published answer: rate x colour, with one depth for each pixel.
 
     colours (F, C), background (C,) -> picture (H, W, C). A face that covers the fraction rate of a
     pixel, and is nearest at its centre, sets the pixel to rate x its colour. What else the pixel
@@ -293,9 +293,10 @@ def rate_times_colour(clip, faces, colours, width, height, pattern, background):
 def fxaa(picture, contrast=0.1):
     """FXAA in short: where brightness has an edge, blur along it. picture (H, W, 3) -> (H, W, 3).
 
-    After the idea of Lottes 2009, only the finished picture is known. An edge is where brightness
-    differs by more than contrast among 3 x 3 pixels. It runs at right angles to the slope of the
-    brightness. Such a pixel becomes the mean of itself and one step along the edge to each side.
+    Only the finished picture is known. An edge is where brightness differs by more than contrast
+    among 3 x 3 pixels. It runs at right angles to the slope of the brightness. Such a pixel becomes
+    the mean of itself and one step along the edge to each side. Lottes 2009 follows the edge to the
+    ends of its step instead, and blends across it.
     """
     luma = picture @ LUMA
     edge = ndimage.maximum_filter(luma, 3) - ndimage.minimum_filter(luma, 3) > contrast

@@ -13,7 +13,7 @@ Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k
 functions, lab 7's inverse and lab 10's face_inv are the same numbers. The fast rasterizer for whole
 meshes, in front of the camera and behind it, is in scanline.py.
 
-Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), GAMES101 homework 2 (4).
+Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), notes on GAMES101 (4).
 """
 import itertools
 
@@ -180,7 +180,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spi
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
     seen. Turn clockwise faces round, z too. Draw depths (4) from -1 to 1.
-    To look at yours: `python3 -m course demo --impl labs bunny`.
+    To look at yours: `python3 -m course demo --impl labs bunny` draws loop.png with it.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)

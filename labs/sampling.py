@@ -17,7 +17,7 @@ counter-clockwise, n is an edge's outward unit normal, and t runs over what lies
 Pictures (H, W) go round at their borders. Their frequencies along y and x are in cycles per pixel.
 Screen coordinates are those of lab 2.
 
-Sources: GAMES101 lecture 6, Sutherland and Hodgman 1974 (clipping).
+Sources: notes on GAMES101 lecture 6, Sutherland and Hodgman 1974 (clipping).
 """
 import numpy as np
 

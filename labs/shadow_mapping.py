@@ -13,8 +13,8 @@ Each distance is an axial depth: along the light's axis, in the world's unit, no
 Light from a direction has an orthographic C and w = 1. Light from a point has a perspective C and
 w = distance. `lights` makes both. All points must lie before the light: w > 0.
 
-Sources: Williams 1978 (3), GAMES101 lecture 12. There the map holds the greatest depth. The nearest
-is right.
+Sources: Williams 1978 (3), notes on GAMES101 lecture 12. In these, the map holds the greatest
+depth. The nearest is right.
 """
 import numbers
 from typing import NamedTuple

@@ -17,7 +17,7 @@ on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera l
     screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (8)
 
 What is visible has -w <= x, y, z <= w in clip space. Angles are in radians.
-Sources: GAMES101 lecture 5, OpenGL 1.0 manual, "Differentiable graphics 1" (errata in lecture 1).
+Sources: OpenGL 1.0 manual, notes on GAMES101, "Differentiable graphics 1" (errata in lecture 1).
 """
 import numpy as np
 

@@ -9,7 +9,7 @@ replaces it by the edge c d. gamma is the angle at c, and delta is the angle at 
 A mesh is vertices (V, 3) and faces (F, 3), none of which names a vertex twice. Any number of faces
 may share an edge. Only an edge between two faces that wind alike can flip. All others are held.
 
-Sources: GAMES101's lecture on geometry; Botsch and Kobbelt 2004 (9).
+Sources: notes on GAMES101, lecture on geometry; Botsch and Kobbelt 2004 (9).
 """
 import numbers
 

@@ -14,6 +14,6 @@
     mutations  the small changes that a machine can make
     trials     wrong functions in the place of the right one, judged by the checks
     mutants    small mistakes made by machine: do the checks catch them?
-    mistakes   mistakes that people make: are they caught, and what hints do they give?
+    mistakes   mistakes that are likely: are they caught, and what hints do they give?
     feedback   how often a report names what is wrong
 """

@@ -4,8 +4,8 @@
 
 Sections and pages that no core exercise needs are marked as further reading, and do not count, nor
 do "On paper" and the sources. Of the spine count its exercises, and the sections that a lecture
-names for it. The three numbers are the means of two readers who solved seven labs with a clock:
-change them here when a class was measured. README.md and notebook 00 print what comes out. A test
+names for it. The three numbers are a rule, not a measurement of readers: change them here when a
+class was measured. README.md and notebook 00 print what comes out. A test
 tells when they are behind. This command updates them:
 
     python3 -m course.upkeep.hours

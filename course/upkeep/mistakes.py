@@ -1,4 +1,4 @@
-"""The mistakes that people really make, exercise by exercise, and the hints that they give.
+"""The mistakes that are likely, exercise by exercise, and the hints that they give.
 
 Each exercise has one to eight. They are written as changes of the right answer, in
 tests/mistakes/<topic>.txt:

@@ -181,8 +181,8 @@ def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
 
 @exercise("2.6")
 def test_pixels_are_sampled_where_the_points_say(impl, rng):
-    """The points are cut to whole numbers, as homework 2 of GAMES101 does with (int x, int y), or
-    moved by half a pixel. Or an absolute tolerance decides what lies on an edge.
+    """The points are cut to whole numbers, as by a C function of (int x, int y), or moved by half a
+    pixel. Or an absolute tolerance decides what lies on an edge.
     """
     p = rng.uniform(0, 8, (300, 2))
     assert_equal(impl.is_covered(p, TRIANGLE), exact_inside(p, TRIANGLE))

@@ -128,7 +128,7 @@ def test_two_faces_at_an_edge_share_out_the_samples(pattern):
 
 
 def test_samples_cut_to_whole_numbers_are_one_sample():
-    """Erratum of homework 2, insideTriangle(int x, int y): four samples that smooth nothing."""
+    """Erratum of source S1, insideTriangle(int x, int y): four samples that smooth nothing."""
     pattern = msaa.regular_grid(2)
     assert (np.trunc(pattern) == 0).all()
     cut, right = (msaa.coverage(msaa.rasterize_samples(*BELOW, 12, 8, offsets)[0])
@@ -158,7 +158,7 @@ def test_faces_of_one_colour_leave_no_seam(pattern, background):
     assert np.abs(picture - colour).max() == 0
 
 
-def test_the_shortcut_of_homework_2_leaves_a_dark_seam():
+def test_the_shortcut_of_one_depth_for_a_pixel_leaves_a_dark_seam():
     """The known mistake is shown as it is: along the diagonal, and nowhere else, it is dark."""
     clip, pattern = quad(23, 17), msaa.regular_grid(2)
     face_index, _ = msaa.rasterize_samples(clip, QUAD, 23, 17, pattern)

@@ -26,7 +26,7 @@ RENAMED = "_longer_than_before"
 
 @pytest.mark.parametrize("topic", TOPICS)
 def test_every_mistake_is_caught_by_the_check_that_the_hints_name_first(topic):
-    """A mistake that people make passes; or hints.json is of another reference or other checks:
+    """A likely mistake passes; or hints.json is of another reference or other checks:
     python3 -m course mistakes makes it anew."""
     library = mistakes.library(topic)
     marks = [first_mark(mistake) for mistake in library]

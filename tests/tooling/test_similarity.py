@@ -36,7 +36,7 @@ ANSWER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterizati
 
 
 @pytest.mark.parametrize("folder", ["reference", "tests/literal"])
-def test_two_authors_of_all_labs_are_no_pair(folder, monkeypatch):
+def test_two_sets_of_answers_to_all_labs_are_no_pair(folder, monkeypatch):
     """What the questions force is taken for copied, even where no other answer is known."""
     monkeypatch.setattr(similarity, "KEPT", ())
     texts = {"ada": labs(folder), "bob": labs("tests/other_solutions")}

@@ -14,7 +14,7 @@ from course.given import places
 from course.grading.handing import texts
 from course.grading.pages import numeric, overview, similarity, unusual
 
-AUTHORS = "tests/other_solutions", "tests/literal", "tests/wrong_answers", "tests/mistakes"
+FOLDERS = "tests/other_solutions", "tests/literal", "tests/wrong_answers", "tests/mistakes"
 OTHER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
 
 
@@ -36,7 +36,7 @@ def found(labs, others=()):
 # --- honest work ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("folder", AUTHORS)
+@pytest.mark.parametrize("folder", FOLDERS)
 def test_honest_work_is_not_named(folder):
     """Everybody is in the list, so nobody reads it; or who types what the lecture prints."""
     for topic in CORE:
@@ -55,7 +55,7 @@ def test_who_did_nothing_is_not_named():
 
 
 def without(name):
-    """The whole right answer to lab 2 by another author, but for one exercise; and that one."""
+    """The other right answer to lab 2, whole but for one exercise; and that one."""
     functions = {node.name: node for node in ast.parse(OTHER).body
                  if isinstance(node, ast.FunctionDef)}
     tree = ast.parse(lab("rasterization", functions))

@@ -1,11 +1,14 @@
 """Pictures without the distortion of their lens: as a pinhole would have taken them.
 
 A lens shows the ray (x, y, 1), where x is right and y is down, in the place of a pinhole's
-(x', y', 1). As OpenCV and COLMAP write it, with r^2 = x^2 + y^2 and s = 1 + k1 r^2 + k2 r^4 +
-k3 r^6 + k4 r^8:
+(x', y', 1). As Nerfstudio writes it, with r^2 = x^2 + y^2 and s = 1 + k1 r^2 + k2 r^4 + k3 r^6 +
+k4 r^8:
 
     x' = s x + 2 p1 x y + p2 (r^2 + 2 x^2)
     y' = s y + 2 p2 x y + p1 (r^2 + 2 y^2)
+
+OpenCV and COLMAP mean the same by k1, k2, k3, p1 and p2. Their k4 is another number: in their full
+model s is divided by 1 + k4 r^2 + k5 r^4 + k6 r^6.
 
 So each pixel of the new picture has its place in the old one. The inverse is only needed for the
 new one's frame, in which all of the old one must be.

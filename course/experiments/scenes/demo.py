@@ -73,7 +73,7 @@ def run(names: list[str], implementation: str | None = None, **wishes) -> int:
         return 1
     print(f"The pictures are in {places.out('demo')}")
     if not names:
-        print("Half a minute to five minutes each, asked for by name: "
+        print("Ten seconds to four minutes each, asked for by name: "
               f"python3 -m course demo {' '.join(SLOW)}")
     return 1 if missed else 0
 
