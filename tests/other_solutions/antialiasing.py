@@ -3,8 +3,6 @@ import math
 
 import numpy as np
 
-from reference.antialiasing import EDGES, WINDOW
-
 
 def opposite_vertices(faces):
     faces = np.asarray(faces).tolist()
@@ -40,40 +38,6 @@ def silhouette_edges(x, y, w, faces, opposite):
     return silhouette
 
 
-def neighbour_pairs(face_index, outlined):
-    height, width = face_index.shape
-    pairs = []
-    for right, up in ((1, 0), (0, 1)):
-        pairs += [(i * width + j, (i + up) * width + j + right)
-                  for i in range(height - up) for j in range(width - right)
-                  if face_index[i, j] != face_index[i + up, j + right]
-                  and (outlined[i, j] or outlined[i + up, j + right])]
-    return tuple(np.array(pairs, int).reshape(-1, 2).T)
-
-
-def frames(owner, other, width):
-    """Of each pair: the owner's centre (2,), and a matrix (2, 2) from the screen to the frame."""
-    for own, to in zip(owner, other, strict=True):
-        centre = np.array([own % width + 0.5, own // width + 0.5])
-        sign = -1 if to < own else 1
-        side_by_side = own // width == to // width
-        yield centre, np.array([[sign, 0], [0, 1]] if side_by_side else [[0, sign], [1, 0]])
-
-
-def pair_frame(screen_x, screen_y, owner, other, width):
-    x, y = np.empty(np.shape(screen_x)), np.empty(np.shape(screen_y))
-    for n, (centre, matrix) in enumerate(frames(owner, other, width)):
-        x[:, n], y[:, n] = matrix @ (np.stack([screen_x[:, n], screen_y[:, n]]) - centre[:, None])
-    return x, y
-
-
-def pair_frame_backward(grad_x, grad_y, owner, other, width):
-    grad = np.empty((2, *np.shape(grad_x)))
-    for n, (_, matrix) in enumerate(frames(owner, other, width)):
-        grad[..., n] = matrix.T @ np.stack([grad_x[:, n], grad_y[:, n]])
-    return grad[0], grad[1]
-
-
 def crossing(x0, y0, x1, y1):
     # A mean of both ends, each with a weight of its own that is right to the last digits.
     return x0 * (y1 / (y1 - y0)) - x1 * (y0 / (y1 - y0))
@@ -87,26 +51,6 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
         return grad_c * y1 / height, grad_c * (c - x1) / height
 
     return (*by_first(x0, y0, x1, y1), *by_first(x1, y1, x0, y0))
-
-
-def last_crossing(x, y, w):
-    edges, crossings = [], []
-    for n in range(x.shape[1]):
-        best = 0, -math.inf
-        for k, (i, j) in enumerate(EDGES):
-            above_i, above_j = y[i, n] * w[i, n], y[j, n] * w[j, n]
-            in_front = w[i, n] * abs(above_j) + w[j, n] * abs(above_i) > 0
-            if (above_i < 0) != (above_j < 0) and in_front:
-                c = crossing(x[i, n], y[i, n], x[j, n], y[j, n])
-                best = max(best, (k, c), key=lambda found: found[1])
-        edges.append(best[0])
-        crossings.append(best[1])
-    return np.array(edges, int), np.array(crossings, float)
-
-
-def is_blended(c, is_silhouette, x0, y0, x1, y1):
-    steep = ~(np.square(x1 - x0) > np.square(y1 - y0))
-    return np.logical_and.reduce([is_silhouette, steep, np.abs(c - 0.5) < 0.5 + WINDOW])
 
 
 def blend_weight(c):

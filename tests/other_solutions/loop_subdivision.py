@@ -1,16 +1,9 @@
 """Loop once more: dictionaries and loops over vertices, edges and faces."""
-import math
 from collections import defaultdict
 
 import numpy as np
 
 from .subdivision import as_entries, incidence, rings, sides
-
-
-def loop_weight(n):
-    n = np.asarray(n, float)
-    near = 0.375 + 0.25 * np.cos(2 * math.pi / n)
-    return 0.625 / n - near * near / n
 
 
 def loop_slow(vertices, faces, u):

@@ -1,9 +1,6 @@
 """Lab 15 once more: a tetrahedron that is looked at, and loops over all of them."""
-import itertools
 
 import numpy as np
-
-from reference.marching_tetrahedra import zero_crossing
 
 CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])  # the last sees the others ccw
 
@@ -25,16 +22,3 @@ def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     grad_t = np.einsum("ec,ec->e", grad_p, p_b - p_a)
     return ((1 - t)[:, None] * grad_p, t[:, None] * grad_p,
             grad_t * (1 - t) * t / s_a, grad_t * t**2 / s_a)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    triangles = [[(int(tetrahedron[i]), int(tetrahedron[j])) for i, j in triangle]
-                 for tetrahedron in tetrahedra
-                 for triangle in tetrahedron_triangles(distance[tetrahedron] < 0).tolist()]
-    ends = sorted(set(itertools.chain.from_iterable(triangles)))
-    number = {pair: n for n, pair in enumerate(ends)}
-    faces = [[number[pair] for pair in triangle] for triangle in triangles]
-    ends = np.array(ends, int).reshape(-1, 2)
-    a, b = ends.T
-    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, np.array(faces, int).reshape(-1, 3), ends

@@ -23,18 +23,8 @@ def coverage(face_index):
     return sum(np.where(sample < 0, 0, 1) for sample in face_index) / len(face_index)
 
 
-def observed_order(n, error):
-    x, y = np.log2(n), np.log2(error)
-    x, y = x - sum(x) / len(x), y - sum(y) / len(y)
-    return -sum(x * y) / sum(x * x)
-
-
 def box_resolve(picture, n):
     return sum(picture[i::n, j::n] for i in range(n) for j in range(n)) / n**2
-
-
-def box_resolve_backward(grad_output, picture, n):
-    return np.kron(grad_output, np.full((n, n, 1), 1 / n**2))
 
 
 def shading_requests_loop(face_index):
@@ -46,17 +36,6 @@ def shading_requests_loop(face_index):
             request[s, i, j] = numbers.setdefault(pair, len(numbers))
     pixel, face = np.array(list(numbers), int).reshape(-1, 2).T
     return pixel, face, request
-
-
-def shading_requests(face_index):
-    pixels = np.broadcast_to(np.arange(face_index[0].size).reshape(face_index.shape[1:]),
-                             face_index.shape)
-    seen = face_index >= 0
-    pairs, number = np.unique(np.stack([face_index[seen], pixels[seen]]), axis=1,
-                              return_inverse=True)
-    request = np.full(face_index.shape, -1)
-    request[seen] = number.ravel()
-    return pairs[1], pairs[0], request
 
 
 def resolve(shade, request, background):
@@ -80,10 +59,3 @@ def resolve_backward(grad_picture, shade, request, background):
         else:
             grad_shade[request[s, i, j]] += share
     return grad_shade, grad_background
-
-
-def cost(face_index, sample_bytes):
-    count, height, width = face_index.shape
-    shades = sum(len(set(face_index[:, i, j].tolist()) - {-1})
-                 for i in range(height) for j in range(width))
-    return count * height * width, shades, count * height * width * sample_bytes

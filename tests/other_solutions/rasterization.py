@@ -1,7 +1,7 @@
 """Lab 2 once more: brute force, complex numbers, and linear systems for areas."""
 import numpy as np
 
-from reference.rasterization import EDGES, MARGIN, screen_points, signed_area
+from reference.rasterization import EDGES, screen_points, signed_area
 
 
 def edge_function(p, a, b):
@@ -22,15 +22,6 @@ def edge_function_backward(grad_e, p, a, b):
                          grad_e * (before[..., 0] - after[..., 0])], -1)
 
     return [slope(a, b), slope(b, p), slope(p, a)]
-
-
-def is_inside(p, triangle):
-    # As complex numbers: the imaginary part of conj(b - a) (p - a) is the cross product.
-    corners = [complex(*corner) for corner in triangle]
-    points = p[..., 0] + 1j * p[..., 1]
-    crosses = np.array([((end - start).conjugate() * (points - start)).imag
-                        for start, end in zip(corners, corners[1:] + corners[:1], strict=True)])
-    return (crosses.min(0) >= 0) | (crosses.max(0) <= 0)
 
 
 def is_top_left(n_x, n_y):
@@ -55,27 +46,6 @@ def screen_weights(p, triangle):
     return np.linalg.solve(system, right[..., None])[..., 0]
 
 
-def bounding_box(triangle, width, height):
-    def inside(low, high, size):
-        found = [k for k in range(size) if low - MARGIN <= k + 0.5 <= high + MARGIN]
-        return (found[0], found[-1] + 1) if found else (size, 0)
-
-    (x0, x1), (y0, y1) = (inside(min(column), max(column), size)
-                          for column, size in zip(np.transpose(triangle), (width, height),
-                                                  strict=True))
-    return x0, y0, x1, y1
-
-
-def cull_back_faces(x, y, w, faces):
-    kept = []
-    for face in faces:
-        behind = sum(w[k] < 0 for k in face)
-        area = signed_area(np.array([[x[k], y[k]] for k in face]))
-        if (area > 0 and behind % 2 == 0) or (area < 0 and behind % 2 == 1):
-            kept.append(face)
-    return np.array(kept, int).reshape(-1, 3)
-
-
 def rasterize_loop(clip, faces, width, height):
     # Face by face, but all pixels at once.
     face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
@@ -91,17 +61,6 @@ def rasterize_loop(clip, faces, width, height):
         nearer = covered & (np.abs(deep) <= 1) & (deep < depth)
         face_index[nearer], depth[nearer] = f, deep[nearer]
     return face_index, depth
-
-
-def barycentric_on_face(px, py, x, y, w):
-    return system(px, py, x, y, w)[:, :, 2].T
-
-
-def normalize_derivative(dc, b, s, axis=0):
-    # A matrix for each sample: db = (1 - b 1^T) dc / s.
-    dc, b = np.moveaxis(dc, axis, -1), np.moveaxis(b, axis, -1)
-    change = np.einsum("...ij,...j->...i", np.eye(3) - b[..., None], dc)
-    return np.moveaxis(change, -1, axis) / s
 
 
 def system(px, py, x, y, w):

@@ -4,7 +4,6 @@ import math
 import numpy as np
 
 ROOTS = [math.sqrt(a / math.pi) for a in (1/4, 3/4, 15/4, 5/16, 15/16)]
-LOBES = [math.pi] + 3 * [2 * math.pi / 3] + 5 * [math.pi / 4]
 # Y_k = s_k + v_k . n + n . M_k n: the numbers, the vectors and the symmetric matrices.
 SINGLE, LINEAR, SQUARE = np.zeros(9), np.zeros((9, 3)), np.zeros((9, 3, 3))
 SINGLE[0], SINGLE[6] = ROOTS[0], -ROOTS[3]
@@ -23,13 +22,6 @@ def sh_basis(normals):
 def sh_basis_backward(grad_basis, normals):
     both = np.einsum("...k,kij,...j->...i", grad_basis, SQUARE, normals)
     return grad_basis @ LINEAR + 2 * both
-
-
-def distant_light(towards, strength):
-    light = np.zeros((9, np.shape(strength)[1]))
-    for direction, colour in zip(towards, strength, strict=True):
-        light += np.outer(LOBES * sh_basis(direction), colour)
-    return light
 
 
 def shade(albedo, normals, light):
@@ -79,15 +71,6 @@ def picture_loss_backward(grad_loss, picture, target, weight):
     return np.einsum("...c,c->...c", picture - target, grad_loss * each)
 
 
-def level_backward(grad_level, ends, distance):
-    grad_distance = np.zeros(len(distance))
-    for g, (a, b) in zip(grad_level, ends, strict=True):
-        whole = abs(distance[a]) + abs(distance[b])
-        grad_distance[a] += g * abs(distance[b]) / whole
-        grad_distance[b] += g * abs(distance[a]) / whole
-    return grad_distance
-
-
 def sign(s):
     return -1.0 if s < 0 else 1.0
 
@@ -100,51 +83,3 @@ def sign_changes(distance, edges):
                 u = -float(s) * sign(other)
                 total += max(u, 0.0) + math.log1p(math.exp(-abs(u)))
     return total
-
-
-def sign_changes_backward(grad_changes, distance, edges):
-    # Across an edge the other's sign is the opposite of one's own: both terms log(1 + exp(|s|)).
-    signs = np.array([sign(s) for s in distance])
-    crossings = np.zeros(len(distance))
-    for a, b in edges:
-        if signs[a] != signs[b]:
-            crossings[a] += 1
-            crossings[b] += 1
-    return grad_changes * crossings * signs * (1 + np.tanh(np.abs(distance) / 2)) / 2
-
-
-def spread(x, amount):
-    # The Laplacian is a sum over the axes: so its eigenvectors are products of those of one axis.
-    size = round(len(x) ** (1 / 3))
-    chain = np.zeros((size, size))
-    for i in range(size - 1):
-        chain[i:i + 2, i:i + 2] += [[1, -1], [-1, 1]]
-    values, vectors = np.linalg.eigh(chain)
-    there = np.einsum("ai,bj,ck,abc...->ijk...", vectors, vectors, vectors,
-                      np.reshape(x, (size, size, size, *np.shape(x)[1:])), optimize=True)
-    total = values[:, None, None] + values[:, None] + values
-    there = (there.T / (1 + amount * total).T).T
-    back = np.einsum("ai,bj,ck,ijk...->abc...", vectors, vectors, vectors, there, optimize=True)
-    return back.reshape(np.shape(x))
-
-
-def genus(faces):
-    parent = {int(v): int(v) for v in np.ravel(faces)}
-
-    def root(v):
-        while parent[v] != v:
-            v = parent[v]
-        return v
-
-    pairs = set()
-    for a, b, c in np.asarray(faces).tolist():
-        pairs |= {frozenset((a, b)), frozenset((b, c)), frozenset((c, a))}
-    for a, b in pairs:
-        parent[root(a)] = root(b)
-    pieces = sum(v == above for v, above in parent.items())
-    return pieces, pieces - (len(parent) - len(pairs) + len(faces)) // 2
-
-
-def best_scale(found, truth):
-    return [np.linalg.lstsq(found[:, [c]], truth[:, c], rcond=None)[0][0]
-            for c in range(found.shape[1])]

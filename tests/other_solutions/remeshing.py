@@ -15,16 +15,3 @@ def angle(corner, p, q):
 
 def delaunay_gain(corners):
     return np.array([angle(c, a, b) + angle(d, a, b) - math.pi for a, b, c, d in corners])
-
-
-def relax_step(vertices, normals, edges, rate):
-    near = [[] for _ in vertices]
-    for a, b in edges:
-        near[a].append(b)
-        near[b].append(a)
-    moved = np.array(vertices, float)
-    for v, others in enumerate(near):
-        if others:
-            tangential = np.eye(3) - np.outer(normals[v], normals[v])
-            moved[v] += rate * tangential @ (vertices[others].mean(0) - vertices[v])
-    return moved

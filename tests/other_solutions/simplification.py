@@ -3,11 +3,7 @@ import itertools
 
 import numpy as np
 
-from course.given import mesh
 from reference.simplification import (
-    LEAST_COSINE,
-    LEAST_CURVATURE,
-    LEAST_SHAPE,
     best_position,
     why_refused,
 )
@@ -29,43 +25,6 @@ def quadric_error(q, x):
     # In blocks: x . A x + (b + b') . x + c.
     A, b = q[..., :3, :3], q[..., :3, 3] + q[..., 3, :3]
     return np.einsum("...i,...ij,...j->...", x, A, x) + (b * x).sum(-1) + q[..., 3, 3]
-
-
-def quadric_error_backward(grad_error, q, x):
-    grad_q, grad_x = np.empty(np.shape(q)), np.empty(np.shape(x))
-    for at in np.ndindex(np.shape(grad_error)):
-        v = np.append(x[at], 1)
-        grad_q[at] = grad_error[at] * v[:, None] * v
-        grad_x[at] = grad_error[at] * ((q[at] + q[at].T) @ v)[:3]
-    return grad_q, grad_x
-
-
-def boundary_planes(vertices, faces):
-    edges = mesh.boundary_edges(faces)
-    planes = np.zeros((len(edges), 4))
-    for p, (a, b) in zip(planes, edges, strict=True):
-        third = next(({*face} - {a, b}).pop() for face in faces.tolist() if {a, b} <= {*face})
-        # From the third vertex's foot on the edge, away from that vertex.
-        along, inward = vertices[b] - vertices[a], vertices[third] - vertices[a]
-        outward = along * (inward @ along) - inward * (along @ along)
-        length = np.linalg.norm(outward)
-        if np.linalg.norm(np.cross(along, inward)) > 0 and length > 0:
-            p[:3] = outward / length
-            p[3] = -p[:3] @ vertices[b]
-    return edges, planes
-
-
-def best_on_segment(q, a, b):
-    places, unique = np.array(a, float), np.zeros(len(a), bool)
-    for n in range(len(a)):
-        A, along = q[n, :3, :3], b[n] - a[n]
-        # The slope of the error along the segment, at its two ends: it is linear in between.
-        start, end = (along @ (A @ x + q[n, :3, 3]) for x in (a[n], b[n]))
-        curvature = along @ A @ along
-        if curvature > LEAST_CURVATURE * np.trace(A) * (along @ along):
-            t = start / (start - end)
-            places[n], unique[n] = a[n] + min(max(t, 0), 1) * along, True
-    return places, unique
 
 
 def best_anywhere(q):
@@ -92,18 +51,6 @@ def satisfies_link_condition(faces, a, b):
     near_a, near_b = (set().union(*(face for face in faces if end in face)) for end in (a, b))
     thirds = set().union(*(face for face in faces if {a, b} <= face))
     return (near_a & near_b) - {a, b} == thirds - {a, b}
-
-
-def flips(before, after):
-    for old, new in zip(before, after, strict=True):
-        n, m = (np.cross(x[1] - x[0], x[2] - x[0]) for x in (old, new))
-        size, new_size = np.linalg.norm(n), np.linalg.norm(m)
-        long, new_long = (max(np.linalg.norm(x[k] - x[k - 1]) for k in range(3))
-                          for x in (old, new))
-        if n.any() and (new_size / new_long**2 < LEAST_SHAPE * size / long**2
-                        or n @ m / (size * new_size) < LEAST_COSINE):
-            return True
-    return False
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):

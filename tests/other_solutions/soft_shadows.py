@@ -1,5 +1,4 @@
 """The soft shadows of lab 14 once more: all places first, then their means."""
-import math
 
 import numpy as np
 
@@ -26,12 +25,6 @@ def places(distance_map, place, distance, slope, bias, offsets, radius):
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
     lit, _ = places(distance_map, place, distance, slope, bias, offsets, radius)
     return [sum(row.tolist()) / len(row) for row in lit]
-
-
-def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    lit, stored = places(distance_map, place, distance, slope, bias, offsets, radius)
-    return np.array([at[~free].mean() if not free.all() else math.inf
-                     for free, at in zip(lit, stored, strict=True)])
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):

@@ -43,24 +43,6 @@ def rings(at_edge):
     return ring, border
 
 
-def pull_entries(rows, columns, u):
-    entries = [entry for row, column, weight in zip(rows, columns, u, strict=True)
-               for entry in ((row, row, -weight), (row, column, weight))]
-    return as_entries(entries)
-
-
 def as_entries(entries):
     rows, columns, weights = ([entry[k] for entry in entries] for k in range(3))
     return np.array(rows, int), np.array(columns, int), np.array(weights, float)
-
-
-def vertex_rows(edges, is_boundary, u, w):
-    ring, border = defaultdict(list), defaultdict(list)
-    for (a, b), outer in zip(np.asarray(edges).tolist(), is_boundary, strict=True):
-        for v, other in ((a, b), (b, a)):
-            (border if outer else ring)[v].append(other)
-    entries = []
-    for v in range(len(u)):
-        near, share = (border[v], w) if v in border else (ring.get(v, []), u[v])
-        entries += [(v, v, 1 - len(near) * share), *((v, other, share) for other in near)]
-    return as_entries(entries)

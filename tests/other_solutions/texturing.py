@@ -19,13 +19,6 @@ def look_up(texels, index, weight):
     return as_matrix(texels, index, weight) @ texels
 
 
-def look_up_backward(grad_colour, texels, index, weight):
-    grad_weight = np.empty(np.shape(weight))
-    for n, k in np.ndindex(*np.shape(index)):
-        grad_weight[n, k] = texels[index[n, k]] @ grad_colour[n]
-    return as_matrix(texels, index, weight).T @ grad_colour, grad_weight
-
-
 def bilinear_backward(grad_weight, uv, width, height):
     grad = np.reshape(grad_weight, (-1, 2, 2))  # point, row, column
     u, v = np.transpose(uv)
@@ -34,12 +27,3 @@ def bilinear_backward(grad_weight, uv, width, height):
     by_u = np.einsum("nij,in,j->n", grad, along, change) * width
     by_v = np.einsum("nij,i,jn->n", grad, change, across) * height
     return np.array([by_u, by_v]).T
-
-
-def footprint_points(uv, jacobian, n):
-    points = []
-    for i in range(n):
-        for j in range(n):
-            d = np.array([2 * j + 1 - n, 2 * i + 1 - n]) / (2 * n)
-            points.append([at + J @ d for at, J in zip(uv, jacobian, strict=True)])
-    return np.reshape(points, (n * n, -1, 2))

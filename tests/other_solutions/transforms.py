@@ -35,21 +35,6 @@ def look_at(eye, target, up):
     return np.array([[*row, -(row @ eye)] for row in rows] + [[0, 0, 0, 1]])
 
 
-def normal_matrix(matrix):
-    # The cofactors: of the same direction as the inverse's transpose, scaled to obey the equation.
-    a, b, c = (matrix[k, :3] for k in range(3))
-    return np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)]) / (a @ np.cross(b, c))
-
-
-def pinhole(f):
-    return [[f, 0, 0, 0], [0, f, 0, 0], [0, 0, f, 0], [0, 0, 1, 0]]
-
-
-def frustum_sides(fov_y, aspect, near):
-    height = near * math.sin(fov_y / 2) / math.cos(fov_y / 2)
-    return [-aspect * height, aspect * height, -height, height]
-
-
 def frustum(l, r, b, t, near, far):
     # Along z: A z + B is -near at z = -near, and far at z = -far.
     slope, offset = np.linalg.solve([[-near, 1], [-far, 1]], [-near, far])
@@ -58,15 +43,6 @@ def frustum(l, r, b, t, near, far):
     matrix[:, 2] = (r + l) / (r - l), (t + b) / (t - b), slope, -1
     matrix[2, 3] = offset
     return matrix
-
-
-def orthographic(l, r, b, t, near, far):
-    middle = np.array([(l + r) / 2, (b + t) / 2, -(near + far) / 2])
-    half = np.array([(r - l) / 2, (t - b) / 2, -(far - near) / 2])
-    move, size = np.eye(4), np.eye(4)
-    move[:3, 3] = -middle
-    size[[0, 1, 2], [0, 1, 2]] = 1 / half
-    return size @ move
 
 
 def perspective_divide(clip):
@@ -82,13 +58,3 @@ def perspective_divide_backward(grad_ndc, clip):
         jacobian = [[1 / w, 0, 0, -x / w**2], [0, 1 / w, 0, -y / w**2], [0, 0, 1 / w, -z / w**2]]
         grad_clip[index] = grad_ndc[index] @ jacobian
     return grad_clip
-
-
-def viewport(width, height):
-    matrix = np.diag([0.5 * width, 0.5 * height, 1, 1])
-    matrix[:2, 3] = 0.5 * width, 0.5 * height
-    return matrix
-
-
-def to_screen_backward(grad_screen, width, height):
-    return np.multiply(grad_screen, [width / 2, height / 2, 1])

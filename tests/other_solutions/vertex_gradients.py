@@ -12,24 +12,6 @@ def inverse_differential(m, dm):
     return np.linalg.inv(blocks)[:3, 3:]
 
 
-def residual_slope(values, m, a, i, j):
-    # Cramer's rule: f + target = sum_k r_k det(M with a in column k) / det M.
-    unit = np.zeros((3, 3))
-    unit[i, j] = 1
-
-    def slope_of_det(matrix, change):
-        return sum(np.linalg.det(np.column_stack([(change if k == c else matrix)[:, c]
-                                                  for c in range(3)])) for k in range(3))
-
-    det, slope = np.linalg.det(m), 0.0
-    for k in range(3):
-        with_a, change = m.copy(), unit.copy()
-        with_a[:, k], change[:, k] = a, 0
-        slope += values[k] * (slope_of_det(with_a, change) / det
-                              - np.linalg.det(with_a) * slope_of_det(m, unit) / det**2)
-    return slope
-
-
 def residual_backward(grad_f, values, m, a, target):
     share, slope = np.linalg.solve(m, a), np.linalg.solve(m.T, values)
     return [grad_f * share, -grad_f * slope[:, None] * share[None, :], grad_f * slope, -grad_f]

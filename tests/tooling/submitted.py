@@ -13,7 +13,9 @@ CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not
 
 
 def other_solution(topic):
-    """A lab's text: the reference's given code, and then all exercises once more, otherwise."""
+    """A lab's text: the reference's code, and then its core exercises once more, otherwise."""
+    if not CORE[topic]:
+        return exercises.read(exercises.reference(topic))
     own = re.sub(r"^from reference\b(\.(?=\w))?", lambda found: "from .",
                  exercises.read(FOLDER / f"{topic}.py"), flags=re.MULTILINE)
     return f"{exercises.read(exercises.reference(topic))}\n\n{own}"
