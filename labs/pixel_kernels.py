@@ -124,6 +124,7 @@ def unit_of(p, q, r):
 
 @kernel
 def scaled(q, unit):
+    """A corner in another unit."""
     return q[0] * unit, q[1] * unit, q[2] * unit
 
 
