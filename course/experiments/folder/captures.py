@@ -12,10 +12,11 @@ lower to the upper border. All but fov_y and views may be left out:
                 "world_from_camera": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
 
 transforms.json (or transforms_train.json), as NeRF, instant-ngp and Nerfstudio write it. The
-matrices are the same. A lens is camera_angle_x in radians, or fl_x, fl_y, cx, cy, w, h in pixels,
-and k1, k2, k3, k4, p1, p2, for all or in a frame. A frame may have a mask_path. background, centre
-and radius may stand here, too. The pictures of a transforms_test.json beside transforms_train.json
-are for the report alone, in the place of every eighth one:
+matrices are the same. A lens is camera_angle_x in radians, x_fov in degrees, or fl_x in pixels, and
+the same with y where pixels are not square. cx, cy, w, h in pixels, and k1, k2, k3, k4, p1, p2 may
+be added. All of them stand for all pictures or in a frame. A frame may have a mask_path.
+background, centre and radius may stand here, too. The pictures of a transforms_test.json beside
+transforms_train.json are for the report alone, in the place of every eighth one:
 
     {"camera_angle_x": 0.7, "frames": [{"file_path": "train/r_0", "transform_matrix": [[...]]}]}
 
