@@ -6,6 +6,7 @@ from look_up_goldens import configs, require_look_ups
 torch = pytest.importorskip("torch", reason="PyTorch is not installed: requirements-torch.txt")
 from torch.autograd import gradcheck  # noqa: E402
 
+from course.bridge.nvdiffrast import pixels  # noqa: E402
 from course.bridge.nvdiffrast import torch as dr  # noqa: E402
 
 PIXELS, BACK, ATTRIBUTES, TEXTURES, CUBES, OUTLINES = (
@@ -233,6 +234,87 @@ def test_what_does_not_fit_is_said(call, said):
     pos, tri, size = made_scene(torch.float32)
     with pytest.raises(RuntimeError, match=said):
         dr.rasterize(CONTEXT, *call(pos.detach(), tri), size)
+
+
+@pytest.mark.parametrize("resolution", [(8.7, 8.2), (8.0, 8.0), "88", (8, 0), (8,), 8])
+@pytest.mark.parametrize("rasterizer", [dr.rasterize, dr.DepthPeeler])
+def test_a_resolution_is_whole_numbers(rasterizer, resolution):
+    """8.7 x 8.2 becomes 8 x 8, and nobody is told."""
+    with pytest.raises(RuntimeError, match=r"must be \(height, width\), whole numbers ab"):
+        rasterizer(CONTEXT, *made_scene(torch.float32)[:2], resolution)
+
+
+@pytest.mark.parametrize("rasterizer", [dr.rasterize, dr.DepthPeeler])
+def test_grad_db_is_true_or_false(rasterizer):
+    """A program that gives its number of channels there is told nothing here, and fails on a card.
+    """
+    with pytest.raises(RuntimeError, match="grad_db must be True or False; it is 1"):
+        rasterizer(CONTEXT, *made_scene(torch.float32), grad_db=1)
+
+
+@pytest.mark.parametrize(("chosen", "channels"), [
+    (None, 0), ([], 0), ("all", 3), ([0], 1), (np.array([0]), 1), (np.array([0, 2]), 2),
+    (torch.tensor([0, -1]), 2), (range(3), 3)])
+def test_diff_attrs_may_be_any_list_of_numbers(chosen, channels):
+    """An array [0] is as good as False, and gives no derivatives."""
+    pos, tri, size = made_scene(torch.float32)
+    rast, rast_db = dr.rasterize(CONTEXT, pos, tri, size)
+    out_da = dr.interpolate(torch.rand(1, 6, 3), rast, tri, rast_db, chosen)[1]
+    assert out_da.shape == (2, *size, 2 * channels)
+
+
+@pytest.mark.parametrize(("chosen", "said"), [
+    (0, "diff_attrs must be None, \"all\" or a list of whole numbers; it is 0"),
+    ("some", "it is some"), ([[0]], "it is ..0"), ([0.5], "it is .0.5"),
+    ([3], "diff_attrs must number some of 3 attributes; it is .3")])
+def test_other_diff_attrs_are_refused(chosen, said):
+    """A number for a list, or 0.5 for 0."""
+    pos, tri, size = made_scene(torch.float32)
+    with pytest.raises(RuntimeError, match=said):
+        dr.interpolate(torch.rand(1, 6, 3), *dr.rasterize(CONTEXT, pos, tri, size)[:1], tri,
+                       torch.zeros(2, *size, 4), chosen)
+
+
+@pytest.mark.parametrize("call", [
+    lambda rast, pos, tri: dr.interpolate(torch.rand(1, 6, 3), rast, tri),
+    lambda rast, pos, tri: dr.antialias(rast[..., :2].contiguous(), rast, pos, tri)])
+def test_pixels_of_another_mesh_are_refused(call):
+    """NumPy's index is out of bounds, or another mesh's face is seen."""
+    pos, tri, size = made_scene(torch.float32)
+    rast = dr.rasterize(CONTEXT, pos, tri, size)[0]
+    with pytest.raises(RuntimeError, match="rast sees face 1, and tri has 1: give the faces that"):
+        call(rast, pos, tri[:1].contiguous())
+
+
+def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
+    """float32 holds no whole numbers beyond it: face 2^24 is taken for the one before it.
+
+    Codes: triidx_to_float in nvdiffrast's common.h.
+    """
+    face = np.array([-1, 0, 2**24 - 1, 2**24, 2**24 + 1, 889192446])
+    coded = pixels.coded(face + 1, np.float32)
+    np.testing.assert_array_equal(coded[:3], [0, 1, 2**24])
+    np.testing.assert_array_equal(coded[3:].view(np.int32) - 0x4A800000, face[3:] + 1)
+    rast = np.zeros((6, 4), np.float32)
+    rast[:, 3] = coded
+    np.testing.assert_array_equal(pixels.faces_of(rast, 889192447), face)
+    tri = torch.zeros((2**24 + 2, 3), dtype=torch.int32)
+    tri[-1] = torch.tensor([0, 1, 2])
+    ranges = torch.tensor([[2**24, 2]], dtype=torch.int32)
+    rast, _ = dr.rasterize(CONTEXT, made_scene(torch.float32)[0][0], tri, (9, 12), ranges)
+    assert set(pixels.faces_of(rast.detach().numpy(), len(tri)).ravel()) == {-1, 2**24 + 1}
+    rast[..., :2].sum().backward()
+
+
+@pytest.mark.parametrize(("uv", "said"), [
+    (torch.zeros(4, 4, 2), r"uv must have the shape \(n, h, w, 2\), nothing of it empty; it has"),
+    (torch.zeros(2), r"uv must have the shape \(n, h, w, 2\)"),
+    (torch.zeros(1, 4, 4, 3), r"uv must have the shape \(n, h, w, 2\)"),
+    (np.zeros((1, 4, 4, 2)), "uv must be a tensor, not")])
+def test_places_of_another_shape_are_refused(uv, said):
+    """It asks for a shape that nobody wants, or ends in NumPy."""
+    with pytest.raises(RuntimeError, match=said):
+        dr.texture(torch.rand(1, 4, 4, 3), uv)
 
 
 def test_an_odd_texture_has_no_levels():

@@ -39,6 +39,7 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     texels = [pictures_of(level, is_cube) for level in (tex, *stack)] + (made or [])
     require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
+    array("uv", uv, f"n h w {3 if is_cube else 2}")
     pixels = uv, uv_da, mip_level_bias
     sampler = tensors.labs.texturing.Sampler(filter, boundary_mode, None)
     places = kept_places(pixels, levels, sampler)
