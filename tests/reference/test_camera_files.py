@@ -272,9 +272,11 @@ def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
     require_same(found, expected)
 
 
-def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
-    """COLMAP ignores EXIF, so a picture that EXIF turns no longer fits its camera."""
-    folder = ring.colmap(ring.photograph(tmp_path))
+@pytest.mark.parametrize("write", [ring.nerf, ring.colmap])
+def test_what_was_written_without_exif_is_read_without_it(tmp_path, write):
+    """COLMAP, instant-ngp and Nerfstudio ignore EXIF, so what it turns no longer fits its camera.
+    """
+    folder = write(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, folder)
     for k in range(6):
         tag(folder / f"{k}.png", 6 if k else 3)
@@ -282,22 +284,18 @@ def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
     require_same(found, expected)
 
 
-def test_a_stated_size_decides_between_shown_and_stored(tmp_path):
-    """A camera of the stored picture is given to the shown one, or the other way round, unsaid."""
-    ring.photograph(tmp_path)
-    ring.nerf(tmp_path, w=48, h=32)
+@pytest.mark.parametrize(("write", "file"), [
+    (lambda folder: ring.nerf(folder, w=48, h=32), "transforms.json"),
+    (ring.colmap, "images.txt")])
+def test_a_stated_size_decides_between_shown_and_stored(tmp_path, write, file):
+    """A camera of the shown picture is given to the stored one, unsaid."""
+    write(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, tmp_path)
-    tag(tmp_path / "2.png", 6)
+    lay_down(tmp_path / "2.png")
     found = captures.read(ring.LABS, tmp_path)
     np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert found.assumed[0] == ("EXIF turns 2.png: transforms.json describes the picture as it is "
-                                "stored, and so it is read")
-    (tmp_path / "transforms.json").unlink()
-    tag(tmp_path / "2.png", 1)
-    lay_down(tmp_path / "2.png")
-    found = captures.read(ring.LABS, ring.colmap(tmp_path))
-    np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert "describes the picture as it is shown, and so it is read" in found.assumed[0]
+    assert found.assumed[0] == (f"EXIF turns 2.png: {file} describes the picture as it is shown, "
+                                "and so it is read")
 
 
 def require_same(found, expected):

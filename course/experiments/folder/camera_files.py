@@ -164,7 +164,9 @@ def besides(scene, file):
 
 
 def nerf(folder, path):
-    """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it."""
+    """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it.
+    They ignore EXIF.
+    """
     scene = described(path, "frames", '{"camera_angle_x": ..., "frames": [...]}')
     shots = []
     for frame in whole(scene["frames"], "frame", "file_path", "transform_matrix", path.name):
@@ -178,7 +180,7 @@ def nerf(folder, path):
     tests = path.with_name("transforms_test.json")
     if path.name == "transforms_train.json" and tests.exists():
         shots += [shot._replace(held_out=True) for shot in nerf(folder, tests).shots]
-    return Scene(path.name, shots, **besides(scene, path.name))
+    return Scene(path.name, shots, upright=False, **besides(scene, path.name))
 
 
 def with_ending(path):
@@ -202,7 +204,7 @@ def require_pinhole(given, file):
 
 def nerf_lens(given, seen, file):
     """width, height, fx, fy, cx, cy, bend of the picture seen: what is given for it or for all."""
-    shown = image.size(seen, upright=True) if seen.exists() else (1, 1)  # `read` leaves it out
+    shown = image.size(seen) if seen.exists() else (1, 1)  # `read` leaves it out
     width, height = (number(given, key, file, 1, 1e6, float(side))
                      for key, side in zip("wh", shown, strict=True))
     fx, fy = (focal_length(axis, side, given.maps, file)

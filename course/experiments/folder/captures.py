@@ -28,9 +28,9 @@ are as the lens shows them, and their distortion is undone. Of other lenses, `co
 image_undistorter` makes pictures without distortion.
 
 Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, and show the whole object. NeRF's and
-COLMAP's files may name pictures that are not there: these are left out. A rotation in EXIF is
-followed, and widths and heights are those of the picture as shown. COLMAP ignores EXIF, so its
-pictures are read as stored. Where only the other way has the width and height that the file says,
+COLMAP's files may name pictures that are not there: these are left out. With cameras.json, a
+rotation in EXIF is followed. COLMAP, instant-ngp and Nerfstudio ignore EXIF, so pictures of their
+files are read as stored. Where only the shown picture has the width and height that the file says,
 that is taken.
 
 What is the object is said by alpha, else by masks/NAME.png or masks/NAME.jpg.png, white for the
