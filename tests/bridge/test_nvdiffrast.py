@@ -222,68 +222,46 @@ def test_levels_can_be_made_before():
         torch.testing.assert_close(one, other)
 
 
+def seen(*given, **named):
+    return dr.rasterize(CONTEXT, *given, **named)
+
+
+def attributes(pos, tri, size, chosen):
+    """Of which out_da shows some."""
+    return dr.interpolate(pos, *seen(pos, tri, size)[:1], tri, torch.zeros(2, *size, 4), chosen)
+
+
 @pytest.mark.parametrize(("call", "said"), [
-    (lambda pos, tri: (pos.half(), tri), "pos must be of torch.float32, not torch.float16"),
-    (lambda pos, tri: (pos, tri.long()), "tri must be of torch.int32, not torch.int64"),
-    (lambda pos, tri: (pos.mT.contiguous().mT, tri), "pos must be contiguous"),
-    (lambda pos, tri: (pos[..., :3].contiguous(), tri), r"pos must have the shape \(n, v, 4\)"),
-    (lambda pos, tri: (pos[0], tri), "or ranges must be given"),
-    (lambda pos, tri: (pos.to("meta"), tri), "pos is on meta: this code works on the processor")])
+    (lambda pos, tri, size: seen(pos.half(), tri, size), "pos must be of torch.float32, not"),
+    (lambda pos, tri, size: seen(pos, tri.long(), size), "tri must be of torch.int32, not"),
+    (lambda pos, tri, size: seen(pos.mT.contiguous().mT, tri, size), "pos must be contiguous"),
+    (lambda pos, tri, size: seen(pos[..., :3].contiguous(), tri, size), r"the shape \(n, v, 4\)"),
+    (lambda pos, tri, size: seen(pos[0], tri, size), "or ranges must be given"),
+    (lambda pos, tri, size: seen(pos.to("meta"), tri, size), "pos is on meta: this code works on"),
+    *((lambda pos, tri, _, size=size: seen(pos, tri, size), r"\(height, width\), whole numbers")
+      for size in ((8.7, 8.2), "88", (8, 0), (8,), 8)),
+    (lambda *given: dr.DepthPeeler(CONTEXT, *given, grad_db=1), "must be True or False; it is 1"),
+    (lambda *given: attributes(*given, 0), 'be None, "all" or a list of whole numbers; it is 0'),
+    (lambda *given: attributes(*given, [0.5]), "list of whole numbers; it is .0.5"),
+    (lambda *given: attributes(*given, [4]), "must number some of 4 attributes; it is .4"),
+    (lambda pos, tri, size: dr.interpolate(pos, seen(pos, tri, size)[0], tri[:1]),
+     "rast sees face 1, and tri has 1: give the faces that rast was made of"),
+    (lambda pos, tri, size: dr.antialias(*2 * seen(pos, tri, size)[:1], pos, tri[:1]), "rast see"),
+    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), torch.ones(4, 4, 2)), r"shape \(n, h, w, 2\)"),
+    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), np.ones((1, 4, 4, 2))), "uv must be a tensor")])
 def test_what_does_not_fit_is_said(call, said):
     """A wrong tensor ends deep in the labs, or is taken."""
     pos, tri, size = made_scene(torch.float32)
     with pytest.raises(RuntimeError, match=said):
-        dr.rasterize(CONTEXT, *call(pos.detach(), tri), size)
-
-
-@pytest.mark.parametrize("resolution", [(8.7, 8.2), (8.0, 8.0), "88", (8, 0), (8,), 8])
-@pytest.mark.parametrize("rasterizer", [dr.rasterize, dr.DepthPeeler])
-def test_a_resolution_is_whole_numbers(rasterizer, resolution):
-    """8.7 x 8.2 becomes 8 x 8, and nobody is told."""
-    with pytest.raises(RuntimeError, match=r"must be \(height, width\), whole numbers ab"):
-        rasterizer(CONTEXT, *made_scene(torch.float32)[:2], resolution)
-
-
-@pytest.mark.parametrize("rasterizer", [dr.rasterize, dr.DepthPeeler])
-def test_grad_db_is_true_or_false(rasterizer):
-    """A program that gives its number of channels there is told nothing here, and fails on a card.
-    """
-    with pytest.raises(RuntimeError, match="grad_db must be True or False; it is 1"):
-        rasterizer(CONTEXT, *made_scene(torch.float32), grad_db=1)
+        call(pos.detach(), tri, size)
 
 
 @pytest.mark.parametrize(("chosen", "channels"), [
-    (None, 0), ([], 0), ("all", 3), ([0], 1), (np.array([0]), 1), (np.array([0, 2]), 2),
-    (torch.tensor([0, -1]), 2), (range(3), 3)])
+    (None, 0), ([], 0), ("all", 4), (np.array([0]), 1), (torch.tensor([0, -1]), 2)])
 def test_diff_attrs_may_be_any_list_of_numbers(chosen, channels):
     """An array [0] is as good as False, and gives no derivatives."""
     pos, tri, size = made_scene(torch.float32)
-    rast, rast_db = dr.rasterize(CONTEXT, pos, tri, size)
-    out_da = dr.interpolate(torch.rand(1, 6, 3), rast, tri, rast_db, chosen)[1]
-    assert out_da.shape == (2, *size, 2 * channels)
-
-
-@pytest.mark.parametrize(("chosen", "said"), [
-    (0, "diff_attrs must be None, \"all\" or a list of whole numbers; it is 0"),
-    ("some", "it is some"), ([[0]], "it is ..0"), ([0.5], "it is .0.5"),
-    ([3], "diff_attrs must number some of 3 attributes; it is .3")])
-def test_other_diff_attrs_are_refused(chosen, said):
-    """A number for a list, or 0.5 for 0."""
-    pos, tri, size = made_scene(torch.float32)
-    with pytest.raises(RuntimeError, match=said):
-        dr.interpolate(torch.rand(1, 6, 3), *dr.rasterize(CONTEXT, pos, tri, size)[:1], tri,
-                       torch.zeros(2, *size, 4), chosen)
-
-
-@pytest.mark.parametrize("call", [
-    lambda rast, pos, tri: dr.interpolate(torch.rand(1, 6, 3), rast, tri),
-    lambda rast, pos, tri: dr.antialias(rast[..., :2].contiguous(), rast, pos, tri)])
-def test_pixels_of_another_mesh_are_refused(call):
-    """NumPy's index is out of bounds, or another mesh's face is seen."""
-    pos, tri, size = made_scene(torch.float32)
-    rast = dr.rasterize(CONTEXT, pos, tri, size)[0]
-    with pytest.raises(RuntimeError, match="rast sees face 1, and tri has 1: give the faces that"):
-        call(rast, pos, tri[:1].contiguous())
+    assert attributes(pos, tri, size, chosen)[1].shape == (2, *size, 2 * channels)
 
 
 def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
@@ -299,22 +277,20 @@ def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
     rast[:, 3] = coded
     np.testing.assert_array_equal(pixels.faces_of(rast, 889192447), face)
     tri = torch.zeros((2**24 + 2, 3), dtype=torch.int32)
-    tri[-1] = torch.tensor([0, 1, 2])
-    ranges = torch.tensor([[2**24, 2]], dtype=torch.int32)
-    rast, _ = dr.rasterize(CONTEXT, made_scene(torch.float32)[0][0], tri, (9, 12), ranges)
+    tri[-1] = torch.arange(3)
+    pos, ranges = made_scene(torch.float32)[0], torch.tensor([[2**24, 2]], dtype=torch.int32)
+    rast, _ = seen(pos[0], tri, (9, 12), ranges)
     assert set(pixels.faces_of(rast.detach().numpy(), len(tri)).ravel()) == {-1, 2**24 + 1}
-    rast[..., :2].sum().backward()
 
 
-@pytest.mark.parametrize(("uv", "said"), [
-    (torch.zeros(4, 4, 2), r"uv must have the shape \(n, h, w, 2\), nothing of it empty; it has"),
-    (torch.zeros(2), r"uv must have the shape \(n, h, w, 2\)"),
-    (torch.zeros(1, 4, 4, 3), r"uv must have the shape \(n, h, w, 2\)"),
-    (np.zeros((1, 4, 4, 2)), "uv must be a tensor, not")])
-def test_places_of_another_shape_are_refused(uv, said):
-    """It asks for a shape that nobody wants, or ends in NumPy."""
-    with pytest.raises(RuntimeError, match=said):
-        dr.texture(torch.rand(1, 4, 4, 3), uv)
+def test_places_are_kept_beside_uv_and_not_in_it(tmp_path):
+    """A saved uv is many times as large, and no other program can load it."""
+    uv, tex = torch.rand(1, 8, 8, 2), torch.rand(1, 4, 4, 1)
+    colour = dr.texture(tex, uv)
+    torch.save(uv, tmp_path / "uv.pt")
+    assert torch.equal(torch.load(tmp_path / "uv.pt", weights_only=True), uv)
+    uv.zero_()
+    assert not torch.equal(dr.texture(tex, uv), colour)
 
 
 def test_an_odd_texture_has_no_levels():

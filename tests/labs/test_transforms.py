@@ -152,9 +152,9 @@ def test_a_camera_neither_stretches_nor_mirrors(impl, rng):
 
 @exercise("1.7", fine_print=True)
 @pytest.mark.parametrize(("target", "up"), [
-    ((1.0, 2.0, 1.0), (0.0, 0.0, 1.0)), ((1.0, 2.0, 1.0), (0.0, 0.0, -3.0)),
-    ((0.3, 1.3, 4.3), (0.1, 0.1, 0.1)), ((1.0, 2.0, 5.0), (0.0, 1.0, 0.0)),
-    ((1.0, 2.0, 1.0), (0.0, 0.0, 0.0))], ids=["behind", "ahead", "but for rounding", "eye", "none"])
+    ((1.0, 2.0, 1.0), (0.0, 0.0, -3.0)), ((0.3, 1.3, 4.3), (0.1, 0.1, 0.1)),
+    ((1.0, 2.0, 5.0), (0.0, 1.0, 0.0)), ((1.0, 2.0, 1.0), (0.0, 0.0, 0.0))],
+    ids=["along up", "but for rounding", "the eye", "no up"])
 def test_where_nothing_says_what_is_right_there_is_no_camera(impl, target, up):
     """A camera that looks straight down, with the usual up, is NaN. Or up x back is compared with 0
     itself, and rounding chooses what is right.

@@ -11,14 +11,8 @@ import pytest
 from made_up import SPOILT, check_text, exercise_text
 from PIL import Image
 
-from course.checks import (
-    Mismatch,
-    assert_close,
-    assert_equal,
-    assert_picture,
-    assert_refused,
-    loader,
-)
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
+from course.checks.assertions import assert_refused
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
 from course.checks.showing import error_text, layout, shown, shown_call, typed

@@ -4,9 +4,12 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from scipy.sparse import sparray
+from torch.utils.weak import WeakTensorKeyDictionary
 
 from .. import tensors
 from ..tensors import array, require, tensor
+
+KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
 
 
 class MipStack(NamedTuple):
@@ -39,7 +42,6 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     texels = [pictures_of(level, is_cube) for level in (tex, *stack)] + (made or [])
     require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
-    array("uv", uv, f"n h w {3 if is_cube else 2}")
     pixels = uv, uv_da, mip_level_bias
     sampler = tensors.labs.texturing.Sampler(filter, boundary_mode, None)
     places = kept_places(pixels, levels, sampler)
@@ -113,14 +115,15 @@ def kept_places(pixels, levels, sampler):
     """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
+    array("uv", pixels[0], f"n h w {3 if sampler.boundary == 'cube' else 2}")
     how = (sampler, len(levels), [level.shape for level in levels[0]],
            [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
-    kept_how, before, found = getattr(pixels[0], "kept_places", (None, None, None))
+    kept_how, before, found = KEPT.get(pixels[0], (None, None, None))
     if kept_how != how or not all(map(torch.equal, before, now)):
         found = [places(*each, sampler) for each in
                  zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
-        pixels[0].kept_places = how, [part.clone() for part in now], found
+        KEPT[pixels[0]] = how, [part.clone() for part in now], found
     return found
 
 
