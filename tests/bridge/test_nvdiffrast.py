@@ -283,6 +283,20 @@ def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
     assert set(pixels.faces_of(rast.detach().numpy(), len(tri)).ravel()) == {-1, 2**24 + 1}
 
 
+@pytest.mark.parametrize("boundary", ["wrap", "zero", "clamp"])
+@pytest.mark.parametrize("odd", [torch.nan, torch.inf, -torch.inf])
+def test_a_place_that_is_no_number_spoils_its_pixel_alone(odd, boundary):
+    """0 / 0 in the background ends the program. Or it comes back to all texels."""
+    tex = torch.rand(1, 4, 4, 1, requires_grad=True)
+    uv, uv_da, bias = torch.rand(1, 3, 3, 2), torch.rand(1, 3, 3, 4), torch.zeros(1, 3, 3)
+    expected = dr.texture(tex, uv, uv_da, bias, boundary_mode=boundary)
+    uv[0, 0, 0], uv_da[0, 1, 1], bias[0, 2, 2] = odd, odd, odd
+    found = dr.texture(tex, uv, uv_da, bias, boundary_mode=boundary)
+    same = (found == expected)[0, ..., 0]
+    assert same.sum() >= 6 and found.isfinite().sum() == (9 if boundary == "clamp" else 8)
+    assert torch.autograd.grad(found[:, 1:].sum(), tex)[0].isfinite().all()
+
+
 def test_places_are_kept_beside_uv_and_not_in_it(tmp_path):
     """A saved uv is many times as large, and no other program can load it."""
     uv, tex = torch.rand(1, 8, 8, 2), torch.rand(1, 4, 4, 1)
