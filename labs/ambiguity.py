@@ -65,7 +65,7 @@ def explained(x, observed, factor):
 
 def change(albedo, best, share):
     """How far albedo (V, 3) is from the best, of which it is a multiple at best. share (V,)."""
-    factor = (share @ (albedo * best)).sum() / (share @ albedo**2).sum()
+    factor = (share @ (albedo * best)).sum() / max((share @ albedo**2).sum(), 1e-300)
     return np.sqrt((share @ (factor * albedo - best)**2).sum() / (share @ best**2).sum())
 
 

@@ -93,6 +93,9 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points), spine
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
+
+    Fine print. Where up is along the view, or the eye at its target, nothing says what is right.
+    Raise a ValueError there, for 0 / 0 is NaN. Rounding may leave 1e-16 |up| |back| in place of 0.
     """
     raise NotImplementedError("exercise 1.7: look_at")
 

@@ -104,9 +104,16 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points), spine
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
+
+    Fine print. Where up is along the view, or the eye at its target, nothing says what is right.
+    Raise a ValueError there, for 0 / 0 is NaN. Rounding may leave 1e-16 |up| |back| in place of 0.
     """
     back = eye - target
     right = np.cross(up, back)
+    if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(up) * np.linalg.norm(back):
+        raise ValueError("look_at expects an eye away from its target, and an up that is not along "
+                         f"the view, got eye {eye}, target {target} and up {up}; move the eye, or "
+                         "take another up")
     axes = np.stack([right, np.cross(back, right), back])
     rotation = np.eye(4)
     rotation[:3, :3] = axes / np.linalg.norm(axes, axis=1, keepdims=True)

@@ -25,7 +25,7 @@ ANSWERED = "nvdiffrast.torch", "neural_renderer"
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
-           "get_device_name": platform.machine(), "device": contextlib.nullcontext(),
+           "get_device_name": platform.machine(),
            "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 
@@ -116,7 +116,10 @@ def pretend():
     torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
     torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
     torch.Tensor.is_cuda = property(lambda _: True)
-    torch.load = functools.partial(torch.load, map_location="cpu")
+    torch.Tensor.get_device = lambda _: 0
+    load = torch.load
+    torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.cuda.device = contextlib.nullcontext  # PyTorch asks whether something is one
     for name, answer in ANSWERS.items():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":

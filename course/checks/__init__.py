@@ -23,8 +23,9 @@ course/given/contract.py: a check gets arrays and numbers, never lists.
 """
 import pytest
 
-from .assertions import Mismatch, assert_close, assert_equal, assert_picture
+from .assertions import Mismatch, assert_close, assert_equal, assert_picture, assert_refused
 
-__all__ = ["Mismatch", "assert_close", "assert_equal", "assert_picture", "exercise"]
+__all__ = ["Mismatch", "assert_close", "assert_equal", "assert_picture", "assert_refused",
+           "exercise"]
 
 exercise = pytest.mark.exercise

@@ -79,6 +79,20 @@ def assert_picture(got, expected, given=None, atol=0.0):
     compare(got, expected, given_row(given), kinds, agrees, allowed=f"{atol:g}", picture=True)
 
 
+def assert_refused(function, *args):
+    """function(*args) raises a ValueError. Where it is graded, that comes as a Mismatch's text."""
+    __tracebackhide__ = True
+    try:
+        got = function(*args)
+    except ValueError:
+        return
+    except Mismatch as error:
+        if error.rows[0][1].startswith("ValueError"):
+            return
+        raise
+    raise Mismatch(("expected", "a ValueError"), ("got", shown(got)))
+
+
 def given_row(given):
     return [] if given is None else [("given", given if isinstance(given, str) else shown(given))]
 

@@ -8,6 +8,7 @@
               in place of a number, [] in place of any array without numbers, any memory order, any
               type that holds the numbers exactly.
               Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
+    Raised    a ValueError, where the fine print says so.
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
     Twins     Given code and extras that return its answer, such as its fast version, refuse while

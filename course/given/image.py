@@ -21,7 +21,7 @@ def read(path, upright=False):
     Grey becomes three equal channels. The numbers stay as encoded: see `to_linear`. upright: turned
     as EXIF says, else as stored.
     FileNotFoundError or OSError for a file that cannot be opened, ValueError for one that is no
-    whole picture or holds more than 8 bits.
+    whole picture, or whose grey has more than 8 bits. (Of colours with 16, the upper 8 are read.)
     """
     picture = _opened(path, upright)
     if picture.mode[0] in "IF":
@@ -44,6 +44,9 @@ def _opened(path, upright, whole=True):
             picture.load()
         turned = picture.getexif().get(ExifTags.Base.Orientation, 1) != 1
         return ImageOps.exif_transpose(picture) if upright and turned else picture
+    except Image.DecompressionBombError:
+        raise ValueError(f"cannot read {path} as a picture: it has more than "
+                         f"{2 * Image.MAX_IMAGE_PIXELS:,} pixels: make it smaller") from None
     except Exception:  # whatever a broken file makes the parser stumble over
         raise ValueError(f"cannot read {path} as a picture: it is broken, cut short or something "
                          "else, save it again as PNG") from None

@@ -111,17 +111,21 @@ def progress(steps, count):
 
 
 def require_whole(topics):
-    """ValueError unless this copy of the course has what decides marks.
+    """ValueError unless this copy of the course has what decides marks, and where it is found.
 
     Without the reference or the checks, nobody gets a point.
     """
+    checks = places.ROOT / "tests" / "labs"
     needed = [exercises.reference(topic) for topic in exercises.topics()]
-    needed += [places.ROOT / "tests" / "labs" / f"test_{topic}.py" for topic in topics
-               if exercises.topic_exercises(topic)]
+    needed += [checks / f"test_{topic}.py" for topic in topics if exercises.topic_exercises(topic)]
     for path in needed:
         if not path.exists():
             raise ValueError(f"{places.shown_path(path)} is not in this copy of the course, and "
                              "without it there are no marks: grade in a whole copy")
+    for path in checks.glob("test_*.py"):
+        if path.stem.removeprefix("test_") not in exercises.topics():
+            raise ValueError(f"{places.shown_path(path)} is of no lab, so its checks would not "
+                             "count: move them into their lab's file, such as test_transforms.py")
 
 
 def limits_of(seconds) -> sandbox.Limits:

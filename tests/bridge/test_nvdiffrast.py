@@ -6,6 +6,7 @@ from look_up_goldens import configs, require_look_ups
 torch = pytest.importorskip("torch", reason="PyTorch is not installed: requirements-torch.txt")
 from torch.autograd import gradcheck  # noqa: E402
 
+from course.bridge.nvdiffrast import pixels  # noqa: E402
 from course.bridge.nvdiffrast import torch as dr  # noqa: E402
 
 PIXELS, BACK, ATTRIBUTES, TEXTURES, CUBES, OUTLINES = (
@@ -221,18 +222,89 @@ def test_levels_can_be_made_before():
         torch.testing.assert_close(one, other)
 
 
+def seen(*given, **named):
+    return dr.rasterize(CONTEXT, *given, **named)
+
+
+def attributes(pos, tri, size, chosen):
+    """Of which out_da shows some."""
+    return dr.interpolate(pos, *seen(pos, tri, size)[:1], tri, torch.zeros(2, *size, 4), chosen)
+
+
 @pytest.mark.parametrize(("call", "said"), [
-    (lambda pos, tri: (pos.half(), tri), "pos must be of torch.float32, not torch.float16"),
-    (lambda pos, tri: (pos, tri.long()), "tri must be of torch.int32, not torch.int64"),
-    (lambda pos, tri: (pos.mT.contiguous().mT, tri), "pos must be contiguous"),
-    (lambda pos, tri: (pos[..., :3].contiguous(), tri), r"pos must have the shape \(n, v, 4\)"),
-    (lambda pos, tri: (pos[0], tri), "or ranges must be given"),
-    (lambda pos, tri: (pos.to("meta"), tri), "pos is on meta: this code works on the processor")])
+    (lambda pos, tri, size: seen(pos.half(), tri, size), "pos must be of torch.float32, not"),
+    (lambda pos, tri, size: seen(pos, tri.long(), size), "tri must be of torch.int32, not"),
+    (lambda pos, tri, size: seen(pos.mT.contiguous().mT, tri, size), "pos must be contiguous"),
+    (lambda pos, tri, size: seen(pos[..., :3].contiguous(), tri, size), r"the shape \(n, v, 4\)"),
+    (lambda pos, tri, size: seen(pos[0], tri, size), "or ranges must be given"),
+    (lambda pos, tri, size: seen(pos.to("meta"), tri, size), "pos is on meta: this code works on"),
+    *((lambda pos, tri, _, size=size: seen(pos, tri, size), r"\(height, width\), whole numbers")
+      for size in ((8.7, 8.2), "88", (8, 0), (8,), 8)),
+    (lambda *given: dr.DepthPeeler(CONTEXT, *given, grad_db=1), "must be True or False; it is 1"),
+    (lambda *given: attributes(*given, 0), 'be None, "all" or a list of whole numbers; it is 0'),
+    (lambda *given: attributes(*given, [0.5]), "list of whole numbers; it is .0.5"),
+    (lambda *given: attributes(*given, [4]), "must number some of 4 attributes; it is .4"),
+    (lambda pos, tri, size: dr.interpolate(pos, seen(pos, tri, size)[0], tri[:1]),
+     "rast sees face 1, and tri has 1: give the faces that rast was made of"),
+    (lambda pos, tri, size: dr.antialias(*2 * seen(pos, tri, size)[:1], pos, tri[:1]), "rast see"),
+    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), torch.ones(4, 4, 2)), r"shape \(n, h, w, 2\)"),
+    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), np.ones((1, 4, 4, 2))), "uv must be a tensor")])
 def test_what_does_not_fit_is_said(call, said):
     """A wrong tensor ends deep in the labs, or is taken."""
     pos, tri, size = made_scene(torch.float32)
     with pytest.raises(RuntimeError, match=said):
-        dr.rasterize(CONTEXT, *call(pos.detach(), tri), size)
+        call(pos.detach(), tri, size)
+
+
+@pytest.mark.parametrize(("chosen", "channels"), [
+    (None, 0), ([], 0), ("all", 4), (np.array([0]), 1), (torch.tensor([0, -1]), 2)])
+def test_diff_attrs_may_be_any_list_of_numbers(chosen, channels):
+    """An array [0] is as good as False, and gives no derivatives."""
+    pos, tri, size = made_scene(torch.float32)
+    assert attributes(pos, tri, size, chosen)[1].shape == (2, *size, 2 * channels)
+
+
+def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
+    """float32 holds no whole numbers beyond it: face 2^24 is taken for the one before it.
+
+    Codes: triidx_to_float in nvdiffrast's common.h.
+    """
+    face = np.array([-1, 0, 2**24 - 1, 2**24, 2**24 + 1, 889192446])
+    coded = pixels.coded(face + 1, np.float32)
+    np.testing.assert_array_equal(coded[:3], [0, 1, 2**24])
+    np.testing.assert_array_equal(coded[3:].view(np.int32) - 0x4A800000, face[3:] + 1)
+    rast = np.zeros((6, 4), np.float32)
+    rast[:, 3] = coded
+    np.testing.assert_array_equal(pixels.faces_of(rast, 889192447), face)
+    tri = torch.zeros((2**24 + 2, 3), dtype=torch.int32)
+    tri[-1] = torch.arange(3)
+    pos, ranges = made_scene(torch.float32)[0], torch.tensor([[2**24, 2]], dtype=torch.int32)
+    rast, _ = seen(pos[0], tri, (9, 12), ranges)
+    assert set(pixels.faces_of(rast.detach().numpy(), len(tri)).ravel()) == {-1, 2**24 + 1}
+
+
+@pytest.mark.parametrize("boundary", ["wrap", "zero", "clamp"])
+@pytest.mark.parametrize("odd", [torch.nan, torch.inf, -torch.inf])
+def test_a_place_that_is_no_number_spoils_its_pixel_alone(odd, boundary):
+    """0 / 0 in the background ends the program. Or it comes back to all texels."""
+    tex = torch.rand(1, 4, 4, 1, requires_grad=True)
+    uv, uv_da, bias = torch.rand(1, 3, 3, 2), torch.rand(1, 3, 3, 4), torch.zeros(1, 3, 3)
+    expected = dr.texture(tex, uv, uv_da, bias, boundary_mode=boundary)
+    uv[0, 0, 0], uv_da[0, 1, 1], bias[0, 2, 2] = odd, odd, odd
+    found = dr.texture(tex, uv, uv_da, bias, boundary_mode=boundary)
+    same = (found == expected)[0, ..., 0]
+    assert same.sum() >= 6 and found.isfinite().sum() == (9 if boundary == "clamp" else 8)
+    assert torch.autograd.grad(found[:, 1:].sum(), tex)[0].isfinite().all()
+
+
+def test_places_are_kept_beside_uv_and_not_in_it(tmp_path):
+    """A saved uv is many times as large, and no other program can load it."""
+    uv, tex = torch.rand(1, 8, 8, 2), torch.rand(1, 4, 4, 1)
+    colour = dr.texture(tex, uv)
+    torch.save(uv, tmp_path / "uv.pt")
+    assert torch.equal(torch.load(tmp_path / "uv.pt", weights_only=True), uv)
+    uv.zero_()
+    assert not torch.equal(dr.texture(tex, uv), colour)
 
 
 def test_an_odd_texture_has_no_levels():

@@ -23,6 +23,12 @@ assert known.cuda() is known and torch.nn.Linear(2, 3, device="cuda").cuda().wei
 start, end = torch.cuda.Event(enable_timing=True), torch.cuda.Event(enable_timing=True)
 start.record(), end.record(), torch.cuda.synchronize()
 assert start.elapsed_time(end) >= 0
+torch.save(there, "there.pt")
+for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, None:
+    assert torch.equal(torch.load("there.pt", place), there)
+    assert torch.equal(torch.load("there.pt", map_location=place), there)
+with torch.cuda.device(there.get_device()):
+    assert not isinstance(device, torch.cuda.device)
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
 tri = torch.tensor([[0, 1, 2]], dtype=torch.int32, device="cuda")
 context = dr.RasterizeGLContext(device=device)

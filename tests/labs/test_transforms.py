@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from course.checks import assert_close, exercise
+from course.checks import assert_close, assert_refused, exercise
 
 # A matrix of which no part is symmetric, and whose inverse is not its transpose.
 MATRIX = np.array([[1.0, 2.0, 0.0, 3.0],
@@ -148,6 +148,27 @@ def test_a_camera_neither_stretches_nor_mirrors(impl, rng):
     rotation = impl.look_at(eye, target, 7 * up)[:3, :3]
     assert_close(rotation @ rotation.T, np.eye(3))
     assert_close(np.linalg.det(rotation), 1.0)
+
+
+@exercise("1.7", fine_print=True)
+@pytest.mark.parametrize(("target", "up"), [
+    ((1.0, 2.0, 1.0), (0.0, 0.0, -3.0)), ((0.3, 1.3, 4.3), (0.1, 0.1, 0.1)),
+    ((1.0, 2.0, 5.0), (0.0, 1.0, 0.0)), ((1.0, 2.0, 1.0), (0.0, 0.0, 0.0))],
+    ids=["along up", "but for rounding", "the eye", "no up"])
+def test_where_nothing_says_what_is_right_there_is_no_camera(impl, target, up):
+    """A camera that looks straight down, with the usual up, is NaN. Or up x back is compared with 0
+    itself, and rounding chooses what is right.
+    """
+    assert_refused(impl.look_at, np.array([1.0, 2.0, 5.0]), np.array(target), np.array(up))
+
+
+@exercise("1.7", fine_print=True)
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_a_small_angle_to_the_view_says_what_is_right(impl, size):
+    """The length of up x back is compared with no other length, or too much is refused."""
+    eye, up = size * np.array([0.0, 0.0, 1.0]), size * np.array([0.0, 1e-6, 1.0])
+    matrix = impl.look_at(eye, np.zeros(3), up)
+    assert_close(matrix[:3, :3], np.eye(3))
 
 
 @exercise("1.8")

@@ -28,8 +28,12 @@ def rotate(axis, angle):
 
 
 def look_at(eye, target, up):
+    if math.dist(target, eye) == 0:
+        raise ValueError("the eye is at its target")
     forward = (target - eye) / math.dist(target, eye)
     upward = up - (up @ forward) * forward
+    if math.hypot(*upward) <= 1e-10 * math.hypot(*up):
+        raise ValueError("up is along the view")
     upward = upward / math.hypot(*upward)
     rows = [np.cross(forward, upward), upward, -forward]
     return np.array([[*row, -(row @ eye)] for row in rows] + [[0, 0, 0, 1]])

@@ -65,3 +65,4 @@ def test_change_is_of_the_albedo_and_not_of_its_factor(rng):
     other = best.copy()
     other[:25] *= 1.2
     assert 0.05 < ambiguity.change(other, best, share) < 0.1
+    assert ambiguity.change(0 * best, best, share) == pytest.approx(1)  # no factor makes it best

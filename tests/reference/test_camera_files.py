@@ -67,16 +67,34 @@ def test_colmaps_binary_model(tmp_path):
 
 
 def test_a_camera_of_nerf_on_paper(folder):
-    """The angle is taken from below to above, or as degrees."""
+    """The angle is taken from below to above, or as degrees. What stands for all hides a frame's
+    own, or what says nothing is refused.
+    """
     shot = camera_files.read(ring.nerf(folder, camera_angle_x=2 * np.arctan(0.5))).shots[2]
     np.testing.assert_allclose(shot[2:8], [48, 32, 48, 48, 24, 16])
     assert shot.name == "2.png"
-    frames = [{**frame, "fl_x": 50 + k}
+    frames = [{**frame, "camera_angle_x": 2 * np.arctan(48 / (50 + k))}
               for k, frame in enumerate(ring.frames(ring.POSES, "{}.png"))]
-    scene = ring.nerf(folder, frames=frames, fl_x=40, fl_y=70, cx=20, cy=17, w=96, h=64, k1=0)
+    nothing = {"k1": 0, "k5": 0, "is_fisheye": False, "rolling_shutter": [0, 0, 0, 0], "scale": 2}
+    scene = ring.nerf(folder, frames=frames, fl_x=40, fl_y=70, cx=20, cy=17, w=96, h=64, **nothing)
     shot = camera_files.read(scene).shots[2]
     np.testing.assert_allclose(shot[2:8], [96, 64, 52, 70, 20, 17])
     np.testing.assert_allclose(shot.world_from_camera, ring.POSES[2])
+
+
+X, Y = 2 * np.arctan(32 / 80), 2 * np.arctan(24 / 96)
+
+
+@pytest.mark.parametrize(("lens", "fx", "fy"), [
+    ({"camera_angle_x": X, "camera_angle_y": Y}, 80, 96), ({"camera_angle_y": Y}, 96, 96),
+    ({"x_fov": np.degrees(X), "y_fov": np.degrees(Y)}, 80, 96),
+    ({"fl_x": 80, "camera_angle_x": 1, "camera_angle_y": Y}, 80, 96), ({"fl_y": 96}, 96, 96)])
+def test_nerfs_lens_has_two_focal_lengths(tmp_path, lens, fx, fy):
+    """What is said of y is not read, an angle of y is measured in the width, or degrees in radians.
+    """
+    ring.photograph(tmp_path, [ring.picture(k, 64, 48) for k in range(6)])
+    shots = camera_files.read(ring.nerf(tmp_path, **{"camera_angle_x": None, **lens})).shots
+    np.testing.assert_allclose(shots[0][2:8], [64, 48, fx, fy, 32, 24])
 
 
 def test_pictures_of_another_size_scale_their_cameras(folder):
@@ -178,7 +196,14 @@ def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes
     ({"frames": [7] * 4}, 'frame 0 in transforms.json needs a "file_path"'),
     ({"frames": [{"file_path": "0"}]}, 'frame 0 (0) in transforms.json needs a "transform_matrix"'),
     ({"frames": ring.frames([MATRIX * 2] * 4)}, "transform_matrix of ./0 in transforms.json mus"),
-    ({"camera_angle_x": None}, "needs a camera_angle_x in radians, or a fl_x in pixels"),
+    ({"camera_angle_x": None}, "needs a camera_angle_x in radians, a x_fov in degrees, or a fl_x"),
+    ({"x_fov": 0.7, "camera_angle_x": None}, "x_fov in transforms.json must be from 1 to 170, and"),
+    *(({key: given}, f"{key} in transforms.json is {given}: such a lens is not read, so undistort")
+      for key, given in (("k5", 0.1), ("k6", 1), ("distortion_params", [0, 0, 0.1]), ("latlong", 1),
+                         ("ftheta_p0", 1.5), ("equirectangular", 1), ("orthographic", True))),
+    *(({key: given}, f"{key} in transforms.json is {given}: cameras stand still, and look along")
+      for key, given in (("rolling_shutter", [0, 0, 1]), ("transform_matrix_start", [[1]]),
+                         ("transform_matrix_end", [[1]]), ("from_mitsuba", True))),
     ({"camera_angle_x": 40}, "camera_angle_x in transforms.json must be from 0.01 to 3.1, and is"),
     ({"k1": "much"}, "k1 in transforms.json must be a finite number, and is much"),
     ({"k1": -9.0}, "the lens of 0.png bends too much for a picture without distortion: are -9, 0,"),
@@ -229,9 +254,11 @@ def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
     require_same(found, expected)
 
 
-def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
-    """COLMAP ignores EXIF, so a picture that EXIF turns no longer fits its camera."""
-    folder = ring.colmap(ring.photograph(tmp_path))
+@pytest.mark.parametrize("write", [ring.nerf, ring.colmap])
+def test_what_was_written_without_exif_is_read_without_it(tmp_path, write):
+    """COLMAP, instant-ngp and Nerfstudio ignore EXIF, so what it turns no longer fits its camera.
+    """
+    folder = write(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, folder)
     for k in range(6):
         tag(folder / f"{k}.png", 6 if k else 3)
@@ -239,22 +266,18 @@ def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
     require_same(found, expected)
 
 
-def test_a_stated_size_decides_between_shown_and_stored(tmp_path):
-    """A camera of the stored picture is given to the shown one, or the other way round, unsaid."""
-    ring.photograph(tmp_path)
-    ring.nerf(tmp_path, w=48, h=32)
+@pytest.mark.parametrize(("write", "file"), [
+    (lambda folder: ring.nerf(folder, w=48, h=32), "transforms.json"),
+    (ring.colmap, "images.txt")])
+def test_a_stated_size_decides_between_shown_and_stored(tmp_path, write, file):
+    """A camera of the shown picture is given to the stored one, unsaid."""
+    write(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, tmp_path)
-    tag(tmp_path / "2.png", 6)
+    lay_down(tmp_path / "2.png")
     found = captures.read(ring.LABS, tmp_path)
     np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert found.assumed[0] == ("EXIF turns 2.png: transforms.json describes the picture as it is "
-                                "stored, and so it is read")
-    (tmp_path / "transforms.json").unlink()
-    tag(tmp_path / "2.png", 1)
-    lay_down(tmp_path / "2.png")
-    found = captures.read(ring.LABS, ring.colmap(tmp_path))
-    np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert "describes the picture as it is shown, and so it is read" in found.assumed[0]
+    assert found.assumed[0] == (f"EXIF turns 2.png: {file} describes the picture as it is shown, "
+                                "and so it is read")
 
 
 def require_same(found, expected):

@@ -12,6 +12,7 @@ from made_up import SPOILT, check_text, exercise_text
 from PIL import Image
 
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
+from course.checks.assertions import assert_refused
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
 from course.checks.showing import error_text, layout, shown, shown_call, typed
@@ -107,6 +108,19 @@ def test_equal_accepts(got, expected):
 def test_equal_refuses(got, expected):
     """Equal means close, or kinds are mixed: a mask of 0 and 1, face indices that are floats."""
     assert text_of(assert_equal, got, expected)
+
+
+@pytest.mark.parametrize("graded", [False, True])
+def test_refused_is_what_raises_a_value_error(graded):
+    """Any crash counts as a refusal, or none does where it is graded: its text alone comes there.
+    """
+    def raising(kind):
+        raise Mismatch(("wrong", f"{kind.__name__}: so")) if graded else kind("so")
+
+    assert_refused(raising, ValueError)
+    with pytest.raises(Mismatch if graded else TypeError, match="so"):
+        assert_refused(raising, TypeError)
+    assert "a ValueError" in text_of(assert_refused, abs, -3)
 
 
 def test_a_small_raster_is_printed_with_its_top_row_first(pictures):

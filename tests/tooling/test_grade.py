@@ -219,6 +219,15 @@ def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_mod
         assert not list((tmp_path / "out").glob("*.*"))
 
 
+def test_checks_in_a_file_of_no_lab_grade_nobody(house, run_module, tmp_path):
+    """Checks of one's own stand in a new file. They are never run, and everybody passes them."""
+    course = house(first_lab() | {"tests/labs/test_my_own.py": CHECKS})
+    hand_in(tmp_path, ada=LAB)
+    done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+    assert "tests/labs/test_my_own.py is of no lab, so its checks would not count" in done.stderr
+
+
 def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
     """The first examination is over when the sentence comes."""
     hand_in(tmp_path, ada=LAB)

@@ -134,6 +134,16 @@ def test_a_picture_with_16_bits_is_refused(tmp_path):
         image.read(tmp_path / "a.png")
 
 
+def test_a_picture_of_too_many_pixels_is_not_called_broken(tmp_path, monkeypatch):
+    """Who has a camera of 200 million pixels saves a whole picture again, and again it is broken.
+    """
+    image.write(tmp_path / "a.png", noise(3, 7, 3))
+    monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 10)
+    for read in image.read, image.size:
+        with pytest.raises(ValueError, match="has more than 20 pixels: make it smaller"):
+            read(tmp_path / "a.png")
+
+
 # Animation
 
 

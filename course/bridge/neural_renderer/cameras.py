@@ -8,6 +8,8 @@ import math
 import torch
 from torch.nn.functional import normalize
 
+from ..tensors import require
+
 SHORTEST = 1e-5  # vectors as short as this are not made longer
 
 
@@ -27,11 +29,16 @@ def look_at(vertices, eye, at=(0, 0, 0), up=(0, 1, 0)):
 def look(vertices, eye, direction=(0, 1, 0), up=None):
     """vertices (N, V, 3) as a camera at eye sees them that looks in a direction.
 
-    eye, direction, up: (3,) or (N, 3). up is (0, 1, 0) if it is not given.
+    eye, direction, up: (3,) or (N, 3). up is (0, 1, 0) if it is not given. RuntimeError where
+    nothing says what is right. (The original's picture has no width then.)
     """
     up = as_vectors((0, 1, 0) if up is None else up, vertices)
     forward = normalize(as_vectors(direction, vertices), dim=-1, eps=SHORTEST)
-    right = normalize(torch.linalg.cross(up, forward), dim=-1, eps=SHORTEST)
+    right = torch.linalg.cross(up, forward)
+    for n, sideways in enumerate(right.norm(dim=-1)):
+        require(not sideways <= SHORTEST, f"the camera of picture {n} looks along up, or its "
+                "direction or up has no length: move the eye, or give another up")
+    right = normalize(right, dim=-1)
     axes = right, torch.linalg.cross(forward, right), forward
     from_eye = vertices - as_vectors(eye, vertices)
     return torch.stack([(from_eye * axis).sum(-1) for axis in axes], -1)

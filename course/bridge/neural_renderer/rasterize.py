@@ -57,6 +57,7 @@ class Rasterize(torch.nn.Module):
 
     def forward(self, faces, textures=None):
         count = len(faces)
+        require(count > 0, "faces must be of at least one picture: leave empty batches out")
         cubes = backgrounds = [None] * count
         if self.wanted[0]:
             require(textures is not None and len(textures) == count, f"rgb needs textures for each "

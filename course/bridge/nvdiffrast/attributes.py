@@ -17,12 +17,22 @@ def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
     whose dA/dX and dA/dY are wanted, or "all". They need rast_db.
     """
     count = attr.shape[-1]
-    chosen = np.arange(count) if diff_attrs == "all" else np.array(diff_attrs or [], int)
+    chosen = chosen_of(diff_attrs, count)
     require(not len(chosen) or rast_db is not None, "diff_attrs needs rast_db, which rasterize() "
             "returned beside rast")
+    return Interpolate.apply(attr, rast, tri, rast_db if len(chosen) else None, chosen)
+
+
+def chosen_of(diff_attrs, count):
+    """The numbers (D,), from 0 on, of those of count attributes that diff_attrs asks for."""
+    if isinstance(diff_attrs, str) and diff_attrs == "all":
+        return np.arange(count)
+    chosen = np.asarray([] if diff_attrs is None else diff_attrs)
+    require(chosen.ndim == 1 and (chosen.dtype.kind in "iu" or not len(chosen)), "diff_attrs must "
+            f'be None, "all" or a list of whole numbers; it is {diff_attrs}')
     require((np.abs(chosen + 0.5) < count).all(), f"diff_attrs must number some of {count} "
             f"attributes; it is {diff_attrs}")
-    return Interpolate.apply(attr, rast, tri, rast_db if len(chosen) else None, chosen % count)
+    return chosen.astype(int) % count
 
 
 class Look(NamedTuple):
@@ -47,7 +57,7 @@ def looks(attr, rast, tri, rast_db):
     changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
         count, -1, width, 2, 2)
     for k, pixel in enumerate(pixels):
-        face_index = faces_of(pixel)
+        face_index = faces_of(pixel, len(faces))
         weights = [corner_weights(pixel[..., :2], 1)]
         if len(changes):
             weights += [corner_weights(changes[k, ..., axis], 0) for axis in (0, 1)]

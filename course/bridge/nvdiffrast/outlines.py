@@ -54,7 +54,7 @@ class Antialias(torch.autograd.Function):
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = np.empty_like(colours), []
         for n, clip in enumerate(vertices(pos, len(color))):
-            face_index = faces_of(seen[n])
+            face_index = faces_of(seen[n], len(faces))
             depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
             ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
                                                                  opposite))

@@ -1,4 +1,6 @@
 """What each pixel sees: rasterize, layer by layer if need be."""
+import operator
+
 import numpy as np
 import torch
 
@@ -6,6 +8,8 @@ from .. import tensors
 from ..tensors import INTEGERS, array, require, tensor
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
+EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
+CODE = 0x4A800000  # the float32 whose bits are this and the number
 
 
 class RasterizeCudaContext:
@@ -32,18 +36,25 @@ def rasterize(glctx, pos, tri, resolution, ranges=None, grad_db=True):
 
     pos (N, V, 4), or (V, 4) and ranges (N, 2): first face and count; tri (F, 3); resolution H, W.
     """
-    require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
+    given = asked(glctx, pos, tri, resolution, ranges, grad_db)
     require(glctx.active_depth_peeler is None, "a DepthPeeler has this context: call its "
             "rasterize_next_layer(), or rasterize() with another context")
-    return Rasterize.apply(pos, tri, Screen(resolution), ranges, grad_db, None)
+    return Rasterize.apply(*given, None)
+
+
+def asked(glctx, pos, tri, resolution, ranges, grad_db):
+    """The arguments of `rasterize` but for its context, with a Screen."""
+    require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
+    require(isinstance(grad_db, bool), f"grad_db must be True or False; it is {grad_db}")
+    return pos, tri, Screen(resolution), ranges, grad_db
 
 
 class DepthPeeler:
     """For `with`: a rasterizer of depth layers, the nearest first. Arguments as of `rasterize`."""
 
     def __init__(self, glctx, pos, tri, resolution, ranges=None, grad_db=True):
-        require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
-        self.context, self.given = glctx, (pos, tri, Screen(resolution), ranges, grad_db)
+        self.context = glctx
+        self.given = asked(glctx, pos, tri, resolution, ranges, grad_db)
 
     def __enter__(self):
         require(self.given, "this DepthPeeler has ended: make a new one")
@@ -65,9 +76,12 @@ class Screen:
     """The size of pictures: resolution is height, width."""
 
     def __init__(self, resolution):
-        self.height, self.width = map(int, resolution)
-        require(self.height > 0 and self.width > 0, f"resolution must be (height, width), both "
-                f"more than 0; it is {tuple(resolution)}")
+        try:
+            self.height, self.width = map(operator.index, resolution)
+        except (TypeError, ValueError):  # not whole, or not two
+            self.height = self.width = 0
+        require(self.height > 0 and self.width > 0, "resolution must be (height, width), whole "
+                f"numbers above 0; it is {resolution}")
 
 
 def pictures(pos, tri, ranges):
@@ -93,7 +107,7 @@ class Rasterize(torch.autograd.Function):
             is_seen = seen.face_index >= 0
             rast[n, ..., :2] = seen.barycentric[..., :2]
             rast[n, ..., 2][is_seen] = seen.depth[is_seen]
-            rast[n, ..., 3][is_seen] = seen.face_index[is_seen] + (first + 1)
+            rast[n, ..., 3][is_seen] = coded(seen.face_index[is_seen] + (first + 1), rast.dtype)
             derivatives = tensors.labs.rasterization.barycentrics_derivatives(
                 seen.face_index, seen.clip, faces)
             rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
@@ -111,7 +125,7 @@ class Rasterize(torch.autograd.Function):
         grad_rast_db = grad_rast_db if ctx.grad_db else None
         grads = []
         for n, (clip, faces, first) in enumerate(pictures(pos, tri, ctx.ranges)):
-            face_index = faces_of(rast[n].numpy()) - first
+            face_index = faces_of(rast[n].numpy(), len(tri)) - first
             grad_b = np.zeros((*face_index.shape, 3))
             if grad_rast is not None:
                 grad_b[..., :2] = grad_rast[n, ..., :2]
@@ -135,6 +149,20 @@ def visible(clip, faces, screen, beyond):
     return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
 
 
-def faces_of(rast):
-    """The face that each pixel of an array rast (..., 4) sees, -1 for none."""
-    return rast[..., 3].astype(int) - 1
+def coded(numbers, dtype):
+    """Whole numbers from 0 on as floats of this dtype, each as another one: see CODE."""
+    floats = numbers.astype(dtype)
+    if dtype == np.float32:
+        return np.where(numbers <= EXACT, floats, (numbers + CODE).astype(np.int32).view(dtype))
+    return floats
+
+
+def faces_of(rast, count):
+    """The face, of so many, that each pixel of an array rast (..., 4) sees, -1 for none."""
+    numbers = np.ascontiguousarray(rast[..., 3])
+    if rast.dtype == np.float32:
+        numbers = np.where(numbers <= EXACT, numbers, numbers.view(np.int32) - float(CODE))
+    face_index = numbers.astype(int) - 1
+    require((face_index < count).all(), f"rast sees face {face_index.max(initial=-1)}, and tri has "
+            f"{count}: give the faces that rast was made of")
+    return face_index

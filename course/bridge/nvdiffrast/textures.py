@@ -4,9 +4,12 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from scipy.sparse import sparray
+from torch.utils.weak import WeakTensorKeyDictionary
 
 from .. import tensors
 from ..tensors import array, require, tensor
+
+KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
 
 
 class MipStack(NamedTuple):
@@ -112,14 +115,15 @@ def kept_places(pixels, levels, sampler):
     """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
+    array("uv", pixels[0], f"n h w {3 if sampler.boundary == 'cube' else 2}")
     how = (sampler, len(levels), [level.shape for level in levels[0]],
            [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
-    kept_how, before, found = getattr(pixels[0], "kept_places", (None, None, None))
+    kept_how, before, found = KEPT.get(pixels[0], (None, None, None))
     if kept_how != how or not all(map(torch.equal, before, now)):
         found = [places(*each, sampler) for each in
                  zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
-        pixels[0].kept_places = how, [part.clone() for part in now], found
+        KEPT[pixels[0]] = how, [part.clone() for part in now], found
     return found
 
 
@@ -145,7 +149,10 @@ class Texture(torch.autograd.Function):
         texels = [labs.mipmapping.pack(levels).texels for levels in reading.levels]
         colours = [labs.arrays.masked_scatter(place.matrix @ each, place.seen)
                    for each, place in zip(texels, reading.places, strict=True)]
-        return tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
+        found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
+        if reading.sampler.boundary in ("wrap", "zero"):
+            found[~uv.isfinite().all(-1)] = torch.nan
+        return found
 
     @staticmethod
     def backward(ctx, grad):
@@ -185,7 +192,8 @@ def stacked(grads, like):
 def footprints(uv, uv_da, bias, count, boundary):
     """Lab 6's Footprint of the pixels that see each of count textures.
 
-    A direction on a cube map that is not finite counts as 0, which sees nothing.
+    A direction on a cube map that is not finite counts as 0, which sees nothing. Else, what is no
+    number counts as 0, and infinity as far.
     """
     axes = 3 if boundary == "cube" else 2
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
@@ -193,10 +201,13 @@ def footprints(uv, uv_da, bias, count, boundary):
     n, height, width = uv.shape[:3]
     size = f"{n} {height} {width}"
     at = array("uv", uv, f"{size} {axes}").reshape(count, -1, axes)
-    change = uv_da if uv_da is None else array("uv_da", uv_da, f"{size} {2 * axes}").reshape(
-        count, -1, axes, 2)
-    bias = bias if bias is None else array("mip_level_bias", bias, size).reshape(count, -1)
-    if axes == 3 and not np.isfinite(at).all():
+    change = uv_da if uv_da is None else np.nan_to_num(
+        array("uv_da", uv_da, f"{size} {2 * axes}")).reshape(count, -1, axes, 2)
+    bias = bias if bias is None else np.nan_to_num(
+        array("mip_level_bias", bias, size)).reshape(count, -1)
+    if axes == 2:
+        at = np.nan_to_num(at, posinf=1, neginf=0)
+    elif not np.isfinite(at).all():
         sound = np.isfinite(at).all(-1)
         at = np.where(sound[..., None], at, 0)
         change = change if change is None else np.where(sound[..., None, None], change, 0)

@@ -6,6 +6,7 @@ Mildenhall et al. 2020, "NeRF".
 """
 import json
 import textwrap
+from collections import ChainMap
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,6 +25,9 @@ COLMAP_MODELS = {  # where fx, fy, cx, cy, k1, k2, p1, p2 are, in the order of C
 UNDISTORT = ("such a lens is not read, so undistort the pictures, as `colmap image_undistorter` "
              "does, and take the cameras that come with them")
 BEND = "k1", "k2", "p1", "p2", "k3", "k4"
+NO_PINHOLE = ("is_fisheye", "k5", "k6", "distortion_params", "ftheta_p0", "latlong",
+              "equirectangular", "orthographic")  # of transforms.json
+NO_POSE = "rolling_shutter", "transform_matrix_start", "transform_matrix_end", "from_mitsuba"
 NO_BEND = (0.0,) * len(BEND)
 LARGEST = 1e12   # of all numbers: squares of them can be added
 Y_AND_Z_TURNED = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenCV's axes <-> OpenGL's
@@ -160,11 +164,14 @@ def besides(scene, file):
 
 
 def nerf(folder, path):
-    """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it."""
+    """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it.
+    They ignore EXIF.
+    """
     scene = described(path, "frames", '{"camera_angle_x": ..., "frames": [...]}')
     shots = []
     for frame in whole(scene["frames"], "frame", "file_path", "transform_matrix", path.name):
-        seen, given = with_ending(folder / frame["file_path"]), {**scene, **frame}
+        seen, given = with_ending(folder / frame["file_path"]), ChainMap(frame, scene)
+        require_pinhole(given, path.name)
         *lens, bend = nerf_lens(given, seen, path.name)
         matrix = pose(frame["transform_matrix"],
                       f"transform_matrix of {frame['file_path']} in {path.name}")
@@ -173,7 +180,7 @@ def nerf(folder, path):
     tests = path.with_name("transforms_test.json")
     if path.name == "transforms_train.json" and tests.exists():
         shots += [shot._replace(held_out=True) for shot in nerf(folder, tests).shots]
-    return Scene(path.name, shots, **besides(scene, path.name))
+    return Scene(path.name, shots, upright=False, **besides(scene, path.name))
 
 
 def with_ending(path):
@@ -182,23 +189,44 @@ def with_ending(path):
     return longer if longer.exists() and not path.exists() else path
 
 
+def require_pinhole(given, file):
+    """ValueError for what would change a camera, and is not read."""
+    camera_model = given.get("camera_model")
+    require(camera_model in (None, *COLMAP_MODELS),
+            f"camera_model in {file} is {camera_model}: {UNDISTORT}")
+    for keys, advice in ((NO_PINHOLE, UNDISTORT), (NO_POSE, "cameras stand still, and look along "
+                         "their own -z, so give each frame one transform_matrix")):
+        for key in keys:
+            value = given.get(key)
+            require(not (any(value) if isinstance(value, list) else value),
+                    f"{key} in {file} is {short(value)}: {advice}")
+
+
 def nerf_lens(given, seen, file):
     """width, height, fx, fy, cx, cy, bend of the picture seen: what is given for it or for all."""
-    for key, known in ("is_fisheye", (None, False)), ("camera_model", (None, *COLMAP_MODELS)):
-        require(given.get(key) in known, f"{key} in {file} is {given.get(key)}: {UNDISTORT}")
-    shown = image.size(seen, upright=True) if seen.exists() else (1, 1)  # `read` leaves it out
+    shown = image.size(seen) if seen.exists() else (1, 1)  # `read` leaves it out
     width, height = (number(given, key, file, 1, 1e6, float(side))
                      for key, side in zip("wh", shown, strict=True))
-    if "fl_x" in given:
-        fx = number(given, "fl_x", file, 1e-3, 1e9)
-    else:
-        require("camera_angle_x" in given, f"{file} needs a camera_angle_x in radians, or a fl_x "
-                "in pixels")
-        fx = width / 2 / np.tan(number(given, "camera_angle_x", file, 0.01, 3.1) / 2)
-    return (width, height, fx, number(given, "fl_y", file, 1e-3, 1e9, fx),
+    fx, fy = (focal_length(axis, side, given.maps, file)
+              for axis, side in (("x", width), ("y", height)))
+    require(fx or fy, f"{file} needs a camera_angle_x in radians, a x_fov in degrees, or a fl_x in "
+            "pixels")
+    return (width, height, fx or fy, fy or fx,
             number(given, "cx", file, -1e6, 1e6, width / 2),
             number(given, "cy", file, -1e6, 1e6, height / 2),
             tuple(number(given, key, file, -1e9, 1e9, 0.0) for key in BEND))
+
+
+def focal_length(axis, side, said, file):
+    """Along x or y, where a side has so many pixels. None if neither the frame nor all say it."""
+    for given in said:
+        if f"fl_{axis}" in given:
+            return number(given, f"fl_{axis}", file, 1e-3, 1e9)
+        for key, low, high, radians in ((f"{axis}_fov", 1, 170, np.pi / 180),
+                                        (f"camera_angle_{axis}", 0.01, 3.1, 1)):
+            if key in given:
+                return side / 2 / np.tan(number(given, key, file, low, high) * radians / 2)
+    return None
 
 
 # --- COLMAP's -----------------------------------------------------------------------------------

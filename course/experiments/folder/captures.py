@@ -12,10 +12,11 @@ lower to the upper border. All but fov_y and views may be left out:
                 "world_from_camera": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
 
 transforms.json (or transforms_train.json), as NeRF, instant-ngp and Nerfstudio write it. The
-matrices are the same. A lens is camera_angle_x in radians, or fl_x, fl_y, cx, cy, w, h in pixels,
-and k1, k2, k3, k4, p1, p2, for all or in a frame. A frame may have a mask_path. background, centre
-and radius may stand here, too. The pictures of a transforms_test.json beside transforms_train.json
-are for the report alone, in the place of every eighth one:
+matrices are the same. A lens is camera_angle_x in radians, x_fov in degrees, or fl_x in pixels, and
+the same with y where pixels are not square. cx, cy, w, h in pixels, and k1, k2, k3, k4, p1, p2 may
+be added. All of them stand for all pictures or in a frame. A frame may have a mask_path.
+background, centre and radius may stand here, too. The pictures of a transforms_test.json beside
+transforms_train.json are for the report alone, in the place of every eighth one:
 
     {"camera_angle_x": 0.7, "frames": [{"file_path": "train/r_0", "transform_matrix": [[...]]}]}
 
@@ -27,9 +28,9 @@ are as the lens shows them, and their distortion is undone. Of other lenses, `co
 image_undistorter` makes pictures without distortion.
 
 Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, and show the whole object. NeRF's and
-COLMAP's files may name pictures that are not there: these are left out. A rotation in EXIF is
-followed, and widths and heights are those of the picture as shown. COLMAP ignores EXIF, so its
-pictures are read as stored. Where only the other way has the width and height that the file says,
+COLMAP's files may name pictures that are not there: these are left out. With cameras.json, a
+rotation in EXIF is followed. COLMAP, instant-ngp and Nerfstudio ignore EXIF, so pictures of their
+files are read as stored. Where only the shown picture has the width and height that the file says,
 that is taken.
 
 What is the object is said by alpha, else by masks/NAME.png or masks/NAME.jpg.png, white for the

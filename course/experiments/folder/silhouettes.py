@@ -60,8 +60,8 @@ def oriented(folder, scene):
         notes.append(f"{some([shot.name for shot in scene.absent])} is not there, and is left out "
                      f"of {scene.file}")
     if odd:
-        notes.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is "
-                    f"{'stored' if scene.upright else 'shown'}, and so it is read")
+        notes.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is shown, "
+                     "and so it is read")
     if scaled:
         notes.append(f"{some([shot.name for shot in scaled])} is not of the size that {scene.file} "
                     f"says, but {scaled[0].width} x {scaled[0].height}: its camera is scaled")
