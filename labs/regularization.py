@@ -13,7 +13,7 @@ Equations (8) and (9) are in `remeshing.py`. The angles alpha and beta lie oppos
 its two faces, between sides p and q. M is diagonal: m_i is a valence with uniform weights, an area
 with cotangents. Lab 9's Laplacian is M^-1 L x with w = 1 and m = valence. edges (E, 2) and
 face_edges (F, 3) are those of `mesh.edges`: no face may name a vertex twice.
-Sources: GAMES101; Pinkall and Polthier 1993 (3), Desbrun 1999 (6), Taubin 1995, Nicolet 2021 (10).
+Sources: Pinkall and Polthier 1993 (3), Desbrun 1999 (6), Taubin 1995, Nicolet et al. 2021 (10).
 """
 import numpy as np
 import scipy.sparse

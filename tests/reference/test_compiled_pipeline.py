@@ -211,11 +211,12 @@ def test_pixels_gradients_of_another_size_are_refused():
             to_vertices(np.ones((4, 4, 1)), buffers, np.array([[0, 1, 3]]))
 
 
-def test_the_way_back_takes_the_faces_and_the_material_that_it_is_given():
-    """It takes those that were drawn."""
+def test_the_way_back_takes_the_material_that_it_is_given():
+    """It takes the one that was drawn."""
     (_, (_, buffers)) = one_face()
-    given = {"faces": np.array([[2, 0, 1]]), "material": Colours(np.arange(9.0).reshape(3, 3)**2)}
-    (found, found_clip), (expected, grad_clip) = (way() for way in ways_back(buffers, **given))
+    given = Colours(np.arange(9.0).reshape(3, 3)**2)
+    (found, found_clip), (expected, grad_clip) = (
+        way() for way in ways_back(buffers, material=given))
     np.testing.assert_allclose(found.colours, expected.colours, rtol=1e-12)
     np.testing.assert_allclose(found_clip, grad_clip, rtol=0, atol=1e-12)
     assert np.abs(grad_clip - next(ways_back(buffers))()[1]).max() > 1
