@@ -81,7 +81,7 @@ def last_crossing(points, corners, px, py, dx, dy):
 def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, width, rows,
                 numbers, places, found):
     """The pairs along x (axis 0) or y (axis 1), after the first found -> how many there are now."""
-    step, columns = (1, width - 1) if axis == 0 else (width, width)
+    step, columns = (1, max(width - 1, 0)) if axis == 0 else (width, width)
     for row in range(rows[0], min(rows[1], rows[2] - axis)):
         for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
             second = first + np.uintp(step)

@@ -146,7 +146,7 @@ def run_gradients(runs, face_index, clip, faces, uv, uv_faces, width, grad_at, g
     """The way back from some runs: record[run] becomes the gradients of x, y, w of three corners,
     and of (u, v) of three.
     """
-    height = len(face_index) // width
+    height = len(face_index) // max(width, 1)
     for run in range(len(runs)):
         start, face = runs[run, 0], face_index[runs[run, 0]]
         X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1

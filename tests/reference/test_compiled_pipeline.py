@@ -151,6 +151,18 @@ def one_face(scale=1.0, faces=((0, 1, 2),)):
     return scene, compiled_pipeline.draw(*scene)
 
 
+@pytest.mark.parametrize("width, height", [(0, 4), (4, 0)])
+def test_a_picture_may_have_no_pixels(width, height):
+    """A division by its width, or a row that ends before it begins."""
+    scene, _ = one_face()
+    image = pipeline.Texture(np.ones((3, 2)), np.array([[0, 1, 2]]), np.ones((2, 2, 3)))
+    for material in scene[3], image:
+        picture, buffers = compiled_pipeline.draw(*scene[:3], material, width, height, np.zeros(3))
+        assert picture.shape == (height, width, 3)
+        _, grad_clip = compiled_pipeline.draw_backward(picture, buffers, scene[1], material)
+        assert not grad_clip.any()
+
+
 def changed(scene, **parts):
     names = "clip", "faces", "opposite", "material", "width", "height", "background"
     return *(parts.get(name, part) for name, part in zip(names, scene, strict=True)),
