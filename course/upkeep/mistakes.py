@@ -58,12 +58,12 @@ def wrong_functions(folder, topic):
                " ".join((ast.get_docstring(function) or "").split()))
 
 
-def changed_functions(topic):
-    """Yield (place, exercise, text, words) of tests/mistakes/<topic>.txt.
+def changed_functions(folder, topic):
+    """Yield (place, exercise, text, words) of tests/FOLDER/<topic>.txt.
 
     ValueError: an entry is of no exercise of the topic, or its changes have no place there.
     """
-    entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
+    entries = changes.entries(places.ROOT / "tests" / folder / f"{topic}.txt")
     asked = exercises.topic_exercises(topic)
     for entry in entries:
         if entry.number not in [exercise.number for exercise in asked]:
@@ -79,7 +79,7 @@ def changed_functions(topic):
 def library(topic):
     """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
     found = []
-    for place, exercise, text, sentence in (*changed_functions(topic),
+    for place, exercise, text, sentence in (*changed_functions("mistakes", topic),
                                             *wrong_functions("mistakes", topic)):
         if not sentence:
             raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "

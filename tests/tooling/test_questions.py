@@ -6,9 +6,7 @@ import numpy as np
 
 from course import exercises
 from course.given import places
-from course.upkeep import changes, hours
-
-LITERAL = places.ROOT / "tests" / "literal"
+from course.upkeep import changes, hours, mistakes
 
 
 def words(text):
@@ -50,18 +48,17 @@ def test_questions_are_short():
 def test_the_equation_as_it_is_printed_answers_the_question(run_module, tmp_path):
     """A check of the question asks for what only the fine print says."""
     for topic in exercises.topics():
-        texts = [path for path in (exercises.reference(topic), LITERAL / f"{topic}.py")
-                 if path.exists()]
-        (tmp_path / f"{topic}.py").write_text("\n\n".join(map(exercises.read, texts)), "utf-8")
+        texts = [text for _, _, text, _ in mistakes.changed_functions("literal", topic)]
+        (tmp_path / f"{topic}.py").write_text(
+            "\n\n".join([exercises.read(exercises.reference(topic)), *texts]), "utf-8")
     done = run_module(places.ROOT, "course", "check", "--impl", tmp_path, seconds=300)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_every_fine_print_has_an_answer_that_knows_nothing_of_it():
     """A check of the question asks for what only the fine print says, and nobody has tried."""
-    typed = {function.name for path in LITERAL.glob("*.py")
-             for function in exercises.top_level_functions(exercises.read(path))}
-    asked = [(topic, exercise) for topic in exercises.topics() for exercise in core(topic)]
-    assert typed <= {exercise.name for _, exercise in asked}
-    assert {exercise.name for topic, exercise in asked
-            if "Fine print." in docstring(topic, exercise)} <= typed
+    for topic in exercises.topics():
+        typed = {exercise for _, exercise, _, _ in mistakes.changed_functions("literal", topic)}
+        fine = {exercise for exercise in core(topic)
+                if "Fine print." in docstring(topic, exercise)}
+        assert fine <= typed <= {*core(topic)}, topic

@@ -35,7 +35,7 @@ ANSWER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterizati
 # --- honest work ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("folder", ["reference", "tests/literal"])
+@pytest.mark.parametrize("folder", ["reference", "tests/wrong_answers"])
 def test_two_sets_of_answers_to_all_labs_are_no_pair(folder, monkeypatch):
     """What the questions force is taken for copied, even where no other answer is known."""
     monkeypatch.setattr(similarity, "KEPT", ())
@@ -107,9 +107,9 @@ def extracted(text):
 
 
 def one_only(text):
-    """One exercise is copied, the others are the author's own."""
-    own = exercises.read(places.ROOT / "tests" / "literal" / "rasterization.py")
-    kept = {**functions(own), "rasterize_loop": functions(text)["rasterize_loop"]}
+    """One exercise is copied, the others are the reference's."""
+    others = functions(exercises.read(exercises.reference("rasterization")))
+    kept = {**others, "rasterize_loop": functions(text)["rasterize_loop"]}
     return "\n\n".join(map(ast.unparse, kept.values()))
 
 
@@ -118,7 +118,7 @@ def one_only(text):
 def test_a_copy_is_found_whatever_it_wears(dress, only_reference):
     """One comment more, and nobody notices."""
     texts = {"ada": {"rasterization": ANSWER}, "bob": {"rasterization": dress(ANSWER)},
-             "eve": labs("tests/literal", LAB)}
+             "eve": labs("tests/wrong_answers", LAB)}
     pair, *others = pairs(texts)
     assert (pair.first, pair.second) == ("ada", "bob") and "2.13" in {
         one.number for one in pair.exercises}
@@ -126,13 +126,13 @@ def test_a_copy_is_found_whatever_it_wears(dress, only_reference):
 
 
 def test_a_copy_of_the_reference_is_near_it_and_honest_work_is_not(only_reference):
-    """Who hands in the reference under other names is in no pair; or who types what is printed."""
+    """Who hands in the reference under other names is in no pair; or who writes his own is near."""
     copied = {topic: renamed(text) for topic, text in labs("reference").items()}
     near = similarity.compare({"eve": copied}, CORE)[1]
     assert {*map(exercises.lab_number, CORE)} == {
         exercises.lab_number(topic) for _, topic in near} and {*near.values()} == {1.0}
     honest = {folder: labs(folder) for folder in (
-        "tests/literal", "tests/other_solutions", "tests/mistakes", "tests/wrong_answers")}
+        "tests/other_solutions", "tests/mistakes", "tests/wrong_answers")}
     assert similarity.compare(honest, CORE)[1] == {}
 
 

@@ -14,7 +14,7 @@ from course.given import places
 from course.grading.handing import texts
 from course.grading.pages import numeric, overview, similarity, unusual
 
-FOLDERS = "tests/other_solutions", "tests/literal", "tests/wrong_answers", "tests/mistakes"
+FOLDERS = "tests/other_solutions", "tests/wrong_answers", "tests/mistakes"
 OTHER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
 
 
@@ -38,7 +38,7 @@ def found(labs, others=()):
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_honest_work_is_not_named(folder):
-    """Everybody is in the list, so nobody reads it; or who types what the lecture prints."""
+    """Everybody is in the list, so nobody reads it."""
     for topic in CORE:
         path = places.ROOT / folder / f"{topic}.py"
         for functions in similarity.versions(exercises.read(path)) if path.exists() else ():
