@@ -172,7 +172,7 @@ def test_the_gradients_by_uv_are_central_differences(impl, rng, gradcheck):
     check_bilinear(impl, gradcheck, rng.uniform(-1, 2, (9, 2)), 6, 5)
 
 
-@exercise("6.7", fine_print=True)
+@exercise("6.7")
 def test_every_pixel_may_look_at_its_own_level(impl, rng, gradcheck):
     """One size for all pixels: arrays width and height (N,), one for each level, do not broadcast
     with grad_uv (N, 2).
