@@ -20,14 +20,16 @@ Mildenhall et al. 2020 (5) and (6), Yariv et al. 2021 (7).
 """
 import numpy as np
 
-from course.given.mesh import unit
+from course.given.mesh import length, unit
+
+from .arrays import largest
 
 # --- signed distances: eq. (1) to (3) -----------------------------------------------------------
 
 
 def sphere(points, radius):
     """Eq. (1) of a sphere around the origin: points (..., 3) -> distance (...)."""
-    return np.linalg.norm(points, axis=-1) - radius
+    return length(points) - radius
 
 
 def sphere_backward(grad_distance, points, radius):
@@ -45,7 +47,7 @@ def box(points, half_size):  # extra 15.1 (2 points)
     array([ 5. , -0.5])
     """
     beyond = np.abs(points) - half_size
-    return np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(-1), 0)
+    return length(np.maximum(beyond, 0)) + np.minimum(largest(beyond), 0)
 
 
 def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
@@ -66,7 +68,7 @@ def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
     beyond = np.abs(points) - half_size
     outward = np.where(points < 0, -1.0, 1.0)
     nearest_side = np.arange(3) == beyond.argmax(-1)[..., None]
-    is_outside = beyond.max(-1, keepdims=True) > 0
+    is_outside = largest(beyond)[..., None] > 0
     slope = np.where(is_outside, unit(np.maximum(beyond, 0)), nearest_side)
     return grad_distance[..., None] * outward * slope
 

@@ -55,6 +55,15 @@ def masked_scatter(rows, mask):
     return values
 
 
+def largest(rows):
+    """The largest number of each row: rows (..., 3) -> (...), as rows.max(-1), but much faster.
+
+    >>> largest(np.array([[1.0, 3.0, 2.0], [-1.0, -3.0, -2.0]]))
+    array([ 3., -1.])
+    """
+    return np.maximum(np.maximum(rows[..., 0], rows[..., 1]), rows[..., 2])
+
+
 def write_rows(array, rows, columns):
     """array[rows] = columns.T, for array (P, K), rows (N,), columns (K, N), in half the time."""
     for destination, column in zip(array.T, columns, strict=True):

@@ -128,12 +128,6 @@ def cotangent_weights(cotangents, face_edges, edge_count):
     return scatter(cotangents, face_edges, edge_count) / 2
 
 
-def unit(vectors):
-    """Vectors (..., 3) of length 1, in the same directions; (0, 0, 0) stays."""
-    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / np.where(length > 0, length, 1)
-
-
 def vertex_areas(triangles, faces, vertex_count):
     """M with cotangents, a third of all areas at each vertex: triangles (F, 3, 3) -> areas (V,)."""
     twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
@@ -144,7 +138,7 @@ def vertex_areas_backward(grad_areas, triangles, faces):
     """Backward of `vertex_areas`: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
     # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
     p, q = sides(triangles)
-    normal = unit(area_vectors(triangles))[:, None]
+    normal = mesh.unit(area_vectors(triangles))[:, None]
     return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 

