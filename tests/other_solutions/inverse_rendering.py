@@ -88,7 +88,7 @@ def uniform_laplacian(positions, edges):
 
 
 def uniform_laplacian_backward(grad_laplacian, positions, edges):
-    # The matrix of eq. (6), column by column.
+    # The matrix of eq. (5), column by column.
     units = np.eye(len(positions))
     matrix = np.array([uniform_laplacian(unit[:, None], edges)[:, 0] for unit in units])
     return matrix @ grad_laplacian
