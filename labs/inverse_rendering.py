@@ -4,16 +4,16 @@
     L = mean (I - T)^2                                squared error, T is the target             (2)
     m' = b1 m + (1 - b1) g,   s' = b2 s + (1 - b2) g^2,   x' = x - rate m^ / (sqrt(s^) + epsilon),
     m^ = m' / (1 - b1^n),     s^ = s' / (1 - b2^n)    step n of Adam, from n = 1                 (3)
-    v' = q v q* / |q|^2                               rotation by a quaternion q = (w, x, y, z)  (4)
-    L = 1 - sum(c t) / sum(c + t - c t)               soft IoU loss of silhouettes c and t       (5)
-    d_v = x_v - mean of x over v's neighbours         uniform Laplacian, 0 where flat and even   (6)
+    L = 1 - sum(c t) / sum(c + t - c t)               soft IoU loss of silhouettes c and t       (4)
+    d_v = x_v - mean of x over v's neighbours         uniform Laplacian, 0 where flat and even   (5)
+    v' = q v q* / |q|^2                               rotation by a quaternion q = (w, x, y, z)  (6)
 
 R is `pipeline.render`, which joins the labs before this one. The gradient of a parameter x, grad_x,
 has its shape. Adam's m and s are arrays like x, at first 0. Whoever calls `adam_step` keeps them.
-In (4), the point v is the quaternion (0, v), and q* is (w, -x, -y, -z).
+In (6), the point v is the quaternion (0, v), and q* is (w, -x, -y, -z).
 
-Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1985 (4), Kato et al.
-2018 (5), Taubin 1995 (6), Laine et al. 2020.
+Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Kato et al. 2018 (4), Taubin
+1995 (5), Shoemake 1985 (6), Laine et al. 2020.
 """
 import numpy as np
 
@@ -114,7 +114,7 @@ def quaternion_product(p, q):  # extra 9.4 (2 points)
 
 
 def quaternion_matrix(q):  # exercise 9.5 (2 points)
-    """Eq. (4) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
+    """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
     q may have any length but 0. `quaternion_product` or `cross_matrix` will help.
 
@@ -174,7 +174,7 @@ def rotation_angle(p, q):  # extra 9.7 (2 points)
 
 
 def silhouette_loss(coverage, target):  # exercise 9.8 (1 point), spine
-    """Eq. (5), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
+    """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
 
     coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered.
 
@@ -187,7 +187,7 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (1 point), spine
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points), spine
-    """Backward of eq. (5): grad_loss, a number -> grad_coverage, of coverage's shape.
+    """Backward of eq. (4): grad_loss, a number -> grad_coverage, of coverage's shape.
 
     >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
     >>> silhouette_loss_backward(18.0, coverage, target)
@@ -199,7 +199,7 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
 
 
 def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
-    """Eq. (6): how far is each vertex from the mean of its neighbours?
+    """Eq. (5): how far is each vertex from the mean of its neighbours?
 
     positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
     vertex without edges has d = 0.
@@ -218,9 +218,9 @@ def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
 
 
 def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.11 (3 points)
-    """Backward of eq. (6): grad_laplacian (V, C) -> grad_positions (V, C).
+    """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
 
-    Eq. (6) is linear, so that only the shape of positions matters.
+    Eq. (5) is linear, so that only the shape of positions matters.
 
     >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
     >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])

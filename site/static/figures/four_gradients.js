@@ -15,7 +15,7 @@ const TINT = [0.05, 0.25, 0.7];          // how much red, green and blue the tar
 const WHY = {
   truth: "The derivative of the exact coverage. Only pixels on the outline count.",
   sweep: "Every wrong pixel of a row or column pulls at the edges that cross it, near ones most, " +
-    "though ε limits them. It reaches far, and is many times too strong.",
+    "though ε limits them. It reaches far along rows and columns, and is many times too strong.",
   soft: "The derivative of a blurred picture. It reaches as far as the blur, which grows with σ.",
   blend: "Lab 8: pairs of pixels at the outline are blended. It is near the truth, and reaches " +
     "no farther.",
