@@ -14,7 +14,7 @@ from course.given import places
 from course.grading.handing import texts
 from course.grading.pages import numeric, overview, similarity, unusual
 
-AUTHORS = "tests/other_solutions", "tests/literal", "tests/wrong_answers", "tests/mistakes"
+AUTHORS = "tests/other_solutions", "tests/literal", "tests/mistakes"
 OTHER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
 
 

@@ -20,7 +20,7 @@ WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folde
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in (
-    "changes", "feedback", "mistakes", "mutants", "mutations", "trials")}
+    "changes", "mistakes", "mutants", "mutations", "trials")}
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 

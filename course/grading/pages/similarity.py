@@ -31,8 +31,7 @@ FORCED = 40     # nodes that honest answers to one exercise may share
 LEAST = 40      # nodes beyond these, in all exercises, that make a pair
 NEAR = 0.7      # of a lab's nodes stand in parts that the reference's answers have
 SHORT = 100     # nodes of a lab in parts; of fewer, honest answers may be as near
-KEPT = ("reference", "tests/literal", "tests/other_solutions", "tests/mistakes",
-        "tests/wrong_answers")
+KEPT = "reference", "tests/literal", "tests/other_solutions", "tests/mistakes"
 UNCOUNTED = ast.expr_context, ast.operator, ast.unaryop, ast.cmpop, ast.boolop
 NAME = {ast.Name: "id", ast.arg: "arg", ast.FunctionDef: "name"}
 LEFT_OUT = {"ctx", "annotation", "returns", "type_comment", "decorator_list", "type_params", "kind"}
