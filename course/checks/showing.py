@@ -114,7 +114,7 @@ def error_text(error, code) -> str:
     lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
                           for frame in frames])
     lines += shapes_there(error.__traceback__, frames[-1]) if frames else []
-    if isinstance(error, SyntaxError):
+    if isinstance(error, SyntaxError) and error.filename:  # a zero byte has no place
         where = f"{places.shown_path(error.filename)}:{error.lineno}"
         lines += [f"{where}\n    {quoted(error.text)}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
