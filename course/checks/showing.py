@@ -11,6 +11,7 @@ import pytest
 from ..given import places
 from ..given.contract import as_array
 
+PACKAGE = "implementation"  # the code under test is imported by this name; a student's is labs
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
@@ -120,6 +121,7 @@ def error_text(error, code) -> str:
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
+    text = text.replace(f"'{PACKAGE}", "'labs")
     return "\n".join([cut(text), *lines])
 
 
