@@ -7,7 +7,7 @@ from small_course import LAB, first_lab, grade_command, grades
 from submitted import CORE, put, zipped
 
 from course import exercises, imports, lab_text
-from course.given import places
+from course.given import places, whose
 from course.grading.apart import sandbox
 from course.grading.handing import contents, submissions
 from course.grading.pages import side_by_side, similarity, unusual
@@ -200,6 +200,14 @@ def test_an_edited_module_is_read_anew(house, run_here, monkeypatch):
     for text, status in (TWICE.replace("2", "3"), 1), (TWICE, 0):
         (root / "labs" / "norms.py").write_text(text)
         assert run_here(root, "course", "check", "1").returncode == status
+
+
+def test_a_module_beside_the_labs_does_not_change_who_draws(house, monkeypatch):
+    """demo draws by labs, which are empty, because reference/ has no norms.py."""
+    root = house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
+                  "labs/norms.py": TWICE})
+    monkeypatch.setattr(places, "ROOT", root)
+    assert whose.preferred() == "reference"
 
 
 def test_the_course_itself_needs_nothing_that_is_not_there():
