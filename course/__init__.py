@@ -4,6 +4,7 @@
     experiments   above reference: scenes, fits, and the tool for a folder of pictures
     bridge        other people's interfaces and programs on the reference, or on your labs
     exercises     what exercises there are
+    imports       what labs import, and what is handed in with them
     lab_text      their answers, taken out of a module and put back
     checks        assertions, hints, the report: the pytest plugin
     verdicts      what became of an exercise: done, failing, blocked by 2.1

@@ -20,7 +20,6 @@ to teach
 to work on the course
   skeleton              make labs/ from reference/, but for labs that were worked on
   mistakes [TARGET]     try the known mistakes, and make the hints that they give
-  feedback [TARGET]     how often reports name what is wrong, on wrong answers as students write
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   site                  make the web site in out/site/ of all this
   test                  check the project: lint, then every test; with --site the web site
@@ -47,8 +46,8 @@ from course.commands import COMMANDS
 from course.given import memory
 from course.given.places import ROOT, is_handout
 
-FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mistakes", "feedback",
-                "mutants", "site", "test")  # commands that a copy for students withholds
+FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mistakes", "mutants",
+                "site", "test")  # commands that a copy for students withholds
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -241,13 +241,6 @@ def mistakes(asked):
     return course.upkeep.mistakes.run(asked.target)
 
 
-@command(TRIED)
-def feedback(asked):
-    """Try the wrong answers in tests/wrong_answers/: how often does the report name the cause?"""
-    import course.upkeep.feedback
-    return course.upkeep.feedback.run(asked.target)
-
-
 @command(option("target", nargs="?", metavar="TARGET",
                 help="a topic, a lab or an exercise, as for check; without, everything: an hour"))
 def mutants(asked):

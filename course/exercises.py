@@ -21,7 +21,6 @@ import io
 import itertools
 import json
 import re
-import sys
 import tokenize
 from collections.abc import Iterable
 from pathlib import Path
@@ -291,32 +290,6 @@ def calls(text: str, names: Iterable[str]) -> dict[str, tuple[str, ...]]:
         return tuple(other for other in names if other in seen and other != name)
 
     return {name: reached(name) for name in names}
-
-
-def foreign_imports(text: str) -> list[tuple[int, str, bool]]:
-    """[(line, module, is it at the top, so that nothing works without)] of imports that a worker
-    does not have. [] where the text is not Python.
-    """
-    try:
-        whole = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
-    found = [(node.lineno, module, node in whole.body)
-             for node in ast.walk(whole) for module in imported(node)]
-    packages = {"numpy", "scipy", *WITHOUT_EFFECT, *sys.stdlib_module_names}
-    modules = {"course", "course.given", *(f"course.given.{name}" for name in GIVEN)}
-    return [(line, module, at_the_top) for line, module, at_the_top in dict.fromkeys(found)
-            if module.partition(".")[0] not in packages and module not in modules]
-
-
-def imported(node):
-    """The modules that a node of a syntax tree imports from elsewhere than from its folder."""
-    if isinstance(node, ast.Import):
-        return [alias.name for alias in node.names]
-    if not isinstance(node, ast.ImportFrom) or node.level:
-        return []
-    return [f"{node.module}.{alias.name}" if node.module in ("course", "course.given")
-            else node.module for alias in node.names]
 
 
 def text_lines(text: str) -> list[str]:

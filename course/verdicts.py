@@ -8,13 +8,15 @@ import json
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from . import exercises
+from . import exercises, imports
 from .checks.loader import folder
 from .checks.report import Check
 from .checks.runner import run_checks
 from .checks.showing import plural
 from .given import places
 
+ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
+             "modules in labs/, one file each: from .norms import norm")
 KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
 
 
@@ -71,7 +73,7 @@ def run(target: str | None, implementation: str, seed: int, extra: bool = False,
                                   needed, implementation, seed)
     board = entries(labs, needed, called, checks, broken)
     return Found([entry for entry in board if entry.number in asked], board, closed, broken,
-                 problems, *foreign_imports(labs, code))
+                 problems, *not_there(labs, code))
 
 
 def closed_extras(labs, code):
@@ -105,19 +107,17 @@ def not_python(labs, code):
     return broken
 
 
-def foreign_imports(labs, code):
-    """(warnings, losses): sentences on imports that are not there where labs are graded."""
+def not_there(labs, code):
+    """(warnings, losses): sentences on what is not there where labs are graded."""
     warnings, losses = [], []
     for topic, lab in labs.items():
-        path, worth = code / f"{topic}.py", sum(one.points for one in lab if not one.is_extra)
-        with contextlib.suppress(OSError, UnicodeDecodeError):
-            for line, module, at_the_top in exercises.foreign_imports(exercises.read(path)):
-                costs = at_the_top and worth
-                so = f", so this file would lose all its {plural(worth, 'point')}" if costs else ""
-                (losses if costs else warnings).append(
-                    f"{places.shown_path(path)}, line {line}: {module} is not there when your labs "
-                    f"are graded{so}; import numpy, scipy, Python's own library and what was "
-                    "imported already")
+        worth = sum(one.points for one in lab if not one.is_extra)
+        for path, need in imports.not_there(topic, code):
+            costs = need.at_the_top and worth
+            so = f", so {topic}.py would lose all its {plural(worth, 'point')}" if costs else ""
+            (losses if costs or need.is_file else warnings).append(
+                f"{places.shown_path(path)}, line {need.line}: {need.shown} is not there when "
+                f"your labs are graded{so}; {ALL_THERE}")
     return warnings, losses
 
 

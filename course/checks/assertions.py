@@ -11,6 +11,7 @@ from .showing import index_name, kind_name, layout, shape_name, shown
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
+NAN = "nan is no number: it comes from 0 / 0, inf - inf, or the mean of nothing"
 EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"}
 
 
@@ -136,9 +137,13 @@ def is_nothing(got, expected):
 
 
 def require_kind(got, expected, rows, kinds):
-    """Mismatch unless got is of a kind that may come where expected's kind is expected."""
+    """Mismatch unless got is of a kind that may come where expected's kind is expected. Of numbers
+    in another shape, the shape is told.
+    """
     __tracebackhide__ = True
-    if as_array(got).dtype.kind not in kinds[np.asarray(expected).dtype.kind]:
+    array, known = as_array(got), np.asarray(expected)
+    is_misshaped = array.dtype.kind in "biufc" and array.shape != known.shape
+    if array.dtype.kind not in kinds[known.dtype.kind] and not is_misshaped:
         raise Mismatch(*rows, ("differs", f"in kind: {kind_name(got)} came, "
                                           f"{kind_name(expected)} were expected"))
 
@@ -176,7 +181,8 @@ def whereabouts(got, expected, wrong, allowed):
         distance = distances(got, expected, wrong)
         worst = np.unravel_index(distance.argmax(), distance.shape)
         at = f" at most, at {index_name(worst)}" if wrong.sum() > 1 else ""
-        parts += [f"by {distance[worst]:.3g}{at}; allowed {allowed}"]
+        by = f"by {distance[worst]:.3g}{at}; allowed {allowed}"
+        parts += [NAN if np.isnan(got[wrong]).any() else by]
     return [("differs", "; ".join(parts))] if parts else []
 
 

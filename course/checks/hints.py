@@ -25,6 +25,8 @@ WHOLE = "whole"
 OTHER = "other"         # the fingerprint where inputs are not those of the known mistakes
 MOST = 1 << 18          # numbers that a fingerprint is taken of
 NOTHING = Suspicion("", False)  # explains it: no suspicion
+WHY = r"[,;:] (?![^\[]*\]).*$"  # of a suspicion: a comma in [..., 1] ends nothing
+PLACE = r"( in \[[^\]]*\]| in all that is wrong| where [^,;:]*)"
 
 
 def suspected(compared, call, returned):
@@ -159,18 +161,18 @@ def common(sentences):
              for sentence in sentences]
     shared = " or ".join(name for name in named[0] if all(name in names for names in named))
     value = sentences[0].rpartition(" is ")[2]
-    return re.split("[,;:] ", sentences[0])[0] + (f"; {shared} is {value}" if shared else "")
+    return re.sub(WHY, "", sentences[0]) + (f"; {shared} is {value}" if shared else "")
 
 
 def kernel(sentence):
     """What a suspicion says, without the place, and without how much more or how many times."""
-    return re.sub(r"^in output \d+ | (in|where) [^:;]*$|[\d.e-]+ (?=times|more|less)|[,;:] .*$", "",
-                  sentence)
+    return re.sub(rf"^in output \d+ |{PLACE}|[\d.e-]+ (?=times|more|less)|{WHY}", "", sentence)
 
 
 def is_sure(said):
-    """Is a hint certain?"""
-    return "may be" not in said
+    """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
+    return "may be" not in said and not re.search(rf"(times what was|more than|less than) expected"
+                                                  rf"({PLACE})?$", said)
 
 
 @functools.cache

@@ -12,10 +12,9 @@ import pytest
 from ..given import contract, places
 from .alarm import at_most
 from .assertions import Mismatch
-from .showing import arguments, error_text
+from .showing import PACKAGE, arguments, error_text
 
 SECONDS = 20.0  # that a call may take
-PACKAGE = "implementation"  # the code under test is imported as a package of this name
 LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
 FIND = pytest.StashKey()         # of the run: finds functions that run in another process
@@ -151,7 +150,7 @@ def loaded():
 def taken_out():
     """{name: module} of the package of the code under test, which is known no longer."""
     return {name: sys.modules.pop(name) for name in list(sys.modules)
-            if name.split(".")[0] == PACKAGE}
+            if name.split(".")[0] in (PACKAGE, "labs")}  # as what they import calls itself
 
 
 def finder(code):

@@ -48,20 +48,27 @@ def judge(item, error, report, mark):
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
-    suspected, compared = None, getattr(error, "compared", None)
+    compared = getattr(error, "compared", None)
     as_known = item.config.option.seed == 0 or "rng" not in item.fixturenames
     known = (hints.fingerprint_and_count(item.nodeid, returned, compared) if as_known
              else (hints.OTHER, 0))
-    with contextlib.suppress(Exception):  # a report without a hint is better than none
-        suspected = hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
+    found = suspected(error, item, compared, returned)
     catches = caught(item, error, rows) if verdict == "failed" else ""
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration, is_fine_print(mark),
-                         *known, suspected and tuple(suspected), catches)._asdict()
+                         *known, found and tuple(found), catches)._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         perhaps = [("perhaps", catches)] if catches else []
         report.longrepr = layout([("claim", claim(item)), *perhaps, *rows,
                                   ("again", "\n".join(commands(item, number)))])
+
+
+def suspected(error, item, compared, returned):
+    """What `hints.suspected` says. An error, or what is no array, speaks against all suspicions."""
+    if compared is None and (isinstance(error, Mismatch) or not isinstance(error, AssertionError)):
+        return hints.NOTHING
+    with contextlib.suppress(Exception):  # a report without a hint is better than none
+        return hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
 
 
 def without_report(item, error, report, mark):

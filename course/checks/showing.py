@@ -10,11 +10,14 @@ import pytest
 
 from ..given import places
 from ..given.contract import as_array
+from ..given.suspicions import broadcasts
 
+PACKAGE = "implementation"  # the code under test is imported by this name; a student's is labs
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
 MOST_QUOTED = 200  # characters shown of a line of code: one can be as long as a file
+UNFIT = re.compile(r"operands could not be broadcast together with shapes (\S+) (\S+) ?$")
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
 
@@ -113,13 +116,14 @@ def error_text(error, code) -> str:
               if Path(frame.filename).resolve().is_relative_to(code)]
     lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
                           for frame in frames])
-    lines += shapes_there(error.__traceback__, frames[-1]) if frames else []
-    if isinstance(error, SyntaxError):
+    lines += [*shapes_there(error.__traceback__, frames[-1]), *fitting(error)] if frames else []
+    if isinstance(error, SyntaxError) and error.filename:  # a zero byte has no place
         where = f"{places.shown_path(error.filename)}:{error.lineno}"
         lines += [f"{where}\n    {quoted(error.text)}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
+    text = text.replace(f"'{PACKAGE}", "'labs")
     return "\n".join([cut(text), *lines])
 
 
@@ -132,6 +136,18 @@ def shapes_there(trace, last):
     shapes = [f"{name} {shape_name(known[name])}" for name in names
               if isinstance(known.get(name), np.ndarray)]
     return [f"    there: {', '.join(shapes)}"] if shapes else []
+
+
+def fitting(error):
+    """Yield a line, where two arrays that do not fit would do so with one more axis of length 1."""
+    if found := UNFIT.match(str(error)):
+        short, long = sorted((tuple(map(int, re.findall(r"\d+", shape)))
+                              for shape in found.groups()), key=len)
+        fits = [each for k in range(len(short) + 1)
+                if broadcasts(each := (*short[:k], 1, *short[k:]), long)]
+        if fits:
+            yield (f"    {short} fits as {fits[0]}: keepdims=True keeps such an axis, and None in "
+                   "an index adds one")
 
 
 def cut(text):

@@ -7,11 +7,11 @@ from .contract import UNFINISHED
 
 
 class Lacking(ValueError):
-    """A module of the labs is not there, or an exercise is not written: which, in one sentence."""
+    """A module cannot be imported, or an exercise is not written: which, in one sentence."""
 
 
 class Labs:
-    """The labs' modules of one package, loaded when first used. Lacking: one is not there.
+    """The labs' modules of one package, loaded when first used. Lacking: one cannot be.
 
     package: labs or reference; without, reference if it has all that labs/ has.
     """
@@ -25,21 +25,27 @@ class Labs:
         try:
             module = vars(self)[topic] = importlib.import_module(f"{self.package}.{topic}")
             return module
-        except SyntaxError as error:
-            raise Lacking(f"{self.package}/{topic}.py, line {error.lineno}: this is not Python "
-                          f"({error.msg}); mend it first") from None
-        except ModuleNotFoundError as error:
-            package, _, module = error.name.partition(".")
-            if package != self.package:
-                raise
-        raise Lacking(f"{package}/{module or topic}.py is not in this copy of the course")
+        except (ImportError, SyntaxError) as error:
+            raise Lacking(lacking(self.package, topic, error)) from None
+
+
+def lacking(package, topic, error):
+    """What is wrong with a topic's module, or with one that it imports."""
+    if isinstance(error, SyntaxError) and error.filename:  # a zero byte has no place
+        return (f"{places.shown_path(error.filename)}, line {error.lineno}: this is not Python "
+                f"({error.msg}); mend it first")
+    if isinstance(error, ModuleNotFoundError) and error.name.partition(".")[0] == package:
+        module = error.name.partition(".")[2] or topic
+        return f"{package}/{module}.py is not in this copy of the course"
+    return f"{package}/{topic}.py, or what it imports, cannot be imported: {error}"
 
 
 def preferred():
-    """reference, if it has all that labs/ has; else labs."""
+    """reference, if it has all that labs/ has, as in all copies but a hand-out; else labs."""
     labs, reference = ({path.name for path in places.ROOT.glob(f"{package}/*.py")}
                        for package in ("labs", "reference"))
-    return "reference" if reference and labs <= reference else "labs"
+    whole = labs <= reference or not places.is_handout()  # the rest is one's own
+    return "reference" if reference and whole else "labs"
 
 
 @contextlib.contextmanager

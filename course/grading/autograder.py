@@ -10,7 +10,7 @@ from . import grade
 from .apart import running, sandbox
 from .apart.jobs import Job
 from .gradebook.records import How, Record
-from .handing import archives
+from .handing import archives, contents
 from .handing.submissions import Submission
 from .pages import report
 
@@ -58,7 +58,7 @@ def main(folder, path):
     if result.problem:
         raise SystemExit(f"could not be graded: {result.problem}")
     whole, *_ = archives.read(folder, exercises.topics())
-    work = Submission("", texts, missing, tuple(notes), digest=archives.digest(whole))
+    work = Submission("", texts, missing, tuple(notes), digest=contents.digest(whole))
     record = Record(work, How(level, job.seed, "", ""), result)
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 

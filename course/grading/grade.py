@@ -15,7 +15,7 @@ from .apart import running, sandbox, typed_json
 from .apart.jobs import Job
 from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
-from .handing import archives, submissions
+from .handing import contents, submissions
 from .request import Request, recalled, remember
 from .results import Results, Run
 
@@ -174,7 +174,7 @@ def own_seed(seed, texts) -> int:
     that is given its first inputs can try 2^35 in its time. A table of right answers that somebody
     makes from a seed in a report is part of the next submission, and so changes its seed.
     """
-    text = f"{seed} {archives.digest(texts)}"
+    text = f"{seed} {contents.digest(texts)}"
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:6], "big")  # exact in a sheet
 
 

@@ -119,9 +119,9 @@ class Results:
         return [*(self.out / name for name in names), *files]
 
     def look_at(self, labs):
-        """Write the pages on what is alike. labs {student: {topic: text}}."""
+        """Write the pages on what is alike. labs: as `texts.kept` has them."""
         asked = {topic: [one for one in exercises.topic_exercises(topic) if one in self.run.columns]
-                 for topic in set().union(*labs.values())}
+                 for topic in set().union(*labs.values()).intersection(exercises.TOPICS)}
         pairs, near = similarity.compare(labs, asked)
         side_by_side.write(self.out, pairs, labs)
         self.looked_at = overview.LookedAt(pairs, unusual.by_student(labs, asked, near))

@@ -15,5 +15,4 @@
     trials     wrong functions in the place of the right one, judged by the checks
     mutants    small mistakes made by machine: do the checks catch them?
     mistakes   mistakes that are likely: are they caught, and what hints do they give?
-    feedback   how often a report names what is wrong
 """

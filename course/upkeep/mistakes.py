@@ -40,17 +40,17 @@ class Mistake(NamedTuple):
     sentence: str
 
 
-def wrong_functions(folder, topic):
-    """Yield (place, exercise, text, docstring in one line) of tests/FOLDER/<topic>.py.
+def wrong_functions(topic):
+    """Yield (place, exercise, text, docstring in one line) of tests/mistakes/<topic>.py.
 
     ValueError: a function is no exercise of the topic.
     """
-    path = places.ROOT / "tests" / folder / f"{topic}.py"
+    path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
     text = exercises.read(path) if path.exists() else ""
     lines = exercises.text_lines(text)
     known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
     for function in exercises.top_level_functions(text):
-        place = f"tests/{folder}/{topic}.py, line {function.lineno}"
+        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
         if function.name not in known:
             raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
                              "give it the name of one")
@@ -80,7 +80,7 @@ def library(topic):
     """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
     found = []
     for place, exercise, text, sentence in (*changed_functions("mistakes", topic),
-                                            *wrong_functions("mistakes", topic)):
+                                            *wrong_functions(topic)):
         if not sentence:
             raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
                              'after "this is what comes out when"')

@@ -36,12 +36,11 @@ class Trial(NamedTuple):
 
 
 class Asked(NamedTuple):
-    """What is wanted of Trials: every check that catches them, not only the first; the suspicions
-    of hints; the right answers are tried before in all checks, not only in the first.
+    """What is wanted of Trials: every check that catches them, not only the first; the right
+    answers are tried before in all checks, not only in the first.
     """
 
     all_checks: bool = False
-    with_hints: bool = False
     right_first: bool = True
 
 
@@ -93,8 +92,7 @@ def failures(items):
 
 def work(topic, trials, asked, pipe):
     """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
-    if not asked.with_hints:
-        retries.SECONDS = 0.0
+    retries.SECONDS = 0.0  # nobody reads their hints
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all

@@ -1,4 +1,5 @@
 """Programs as they are: python3 -m course run, in a process of its own."""
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -74,3 +75,15 @@ def test_an_exercise_that_is_not_written_is_named(tmp_path):
     """--impl labs runs the reference."""
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
     assert status == 2 and "is not written yet; python3 -m course check 2." in printed
+
+
+@pytest.mark.parametrize(("text", "said"), [
+    ("x = 1\ndef (:\n", "labs/arrays.py, line 2: this is not Python"),
+    ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'")])
+def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
+        text, said, tmp_path):
+    """The student looks for the mistake in the file that was asked for, or in the program."""
+    shutil.copytree(ROOT / "labs", tmp_path / "labs")  # they come before the course's own
+    (tmp_path / "labs" / "arrays.py").write_text(text)
+    status, printed = run(tmp_path, WHOLE, "--impl", "labs")
+    assert status == 2 and said in printed and "Traceback" not in printed

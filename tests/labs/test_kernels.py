@@ -96,7 +96,9 @@ def is_a_pair(found):
 
 @exercise("17.4")
 def test_bins_on_paper(impl):
-    """start counts from the end, or lacks its last number. Items are in the wrong order."""
+    """start counts from the end, lacks its last number, or is moved on, as it is not copied. Items
+    are in the wrong order.
+    """
     start, item = is_a_pair(impl.bins(np.array([3, 1, 3, 0, 1, 3]), 5))
     assert_equal(start, np.array([0, 1, 3, 3, 6, 6]))
     assert_equal(item, np.array([3, 1, 4, 0, 2, 5]))

@@ -156,7 +156,9 @@ HALF = np.array([0.5, 0.5])
 @exercise("10.14")
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
-    """The original's sign: its eps is negative at distance 0, whichever side is outside."""
+    """At a distance of 0, eps is taken for negative, as neural_renderer's own code does, whichever
+    side is outside. Or the pixel counts as outside.
+    """
     colour, sees = line(9, 4, 4)
     got = impl.sweep_line(asking(9, 4, 1.0), colour, sees, 4.5, side, HALF, 0.01)
     assert_close(got, [side * 100.0, side * 100.0])

@@ -342,9 +342,9 @@ def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch)
 
 @pytest.mark.parametrize(("imports", "status", "sentence"), [
     ("import json\nimport PIL.Image\n", 1, "labs/rasterization.py, line 2: PIL.Image is not there "
-     "when your labs are graded, so this file would lose all its 3 points; import numpy, scipy"),
+     "when your labs are graded, so rasterization.py would lose all its 3 points; numpy, scipy"),
     ("try:\n    import PIL.Image\nexcept ImportError:\n    pass\n", 0,
-     "labs/rasterization.py, line 2: PIL.Image is not there when your labs are graded; import"),
+     "labs/rasterization.py, line 2: PIL.Image is not there when your labs are graded; numpy"),
     ("import matplotlib.pyplot as plt\n", 0, ""),
 ], ids=["at the top", "in try", "matplotlib"])
 def test_an_import_that_graders_do_not_have_is_told_as_loudly_as_it_costs(

@@ -55,12 +55,13 @@ def test_close_accepts(got, expected):
 
 @pytest.mark.parametrize(("got", "expected", "row"), [
     (1 + 1e-8, 1.0, "by 1e-08; allowed 1e-12 + 1e-09 |expected|"),
-    *((got, expected, "by inf; allowed")
-      for got, expected in ((math.nan, 1.0), (-math.inf, math.inf), (1.0, math.nan))),
+    (math.nan, 1.0, "nan is no number: it comes from 0 / 0"),
+    (-math.inf, math.inf, "by inf; allowed"), (1.0, math.nan, "by inf; allowed"),
     (np.ones(3), np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
     (np.ones(1), 1.0, "in shape: (1,) came, () was expected"),
     (np.zeros((0, 2)), np.zeros((0, 3)), "in shape: (0, 2) came, (0, 3) was expected"),
     ([], np.ones((1, 3)), "in shape: (0,) came, (1, 3) was expected"),
+    (np.ones(3) + 1j, np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
     (1 + 0j, 1.0, "in kind: complex numbers came, floats were expected"),
     (True, 1.0, "in kind: booleans came, floats were expected"),
     ("1.0", 1.0, "in kind: strings came, floats were expected"),
@@ -520,6 +521,25 @@ def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
         exec(compile(line, path, "exec"), {})
     said = error_text(error.value, tmp_path)
     assert line[:200] in said and len(said) < 1500
+
+
+@pytest.mark.parametrize(("line", "fits"), [
+    ("np.ones((5, 3)) / np.ones(5)", "(5,) fits as (5, 1): keepdims=True"),
+    ("np.ones((4, 3)) * np.ones((4, 3, 2))", "(4, 3) fits as (4, 3, 1): "),
+    ("np.ones((4, 2)) + np.ones((7, 4, 3, 2))", "(4, 2) fits as (4, 1, 2): "),
+    ("np.ones((4, 2)) + np.ones(3)", None),
+    ("np.ones((4, 2)) + np.ones((2, 4))", None), ("np.ones((4, 2)) @ np.ones(4)", None),
+    ("compile('\\0', 'a', 'exec')", None)])
+def test_an_axis_that_makes_two_arrays_fit_is_told(line, fits, tmp_path):
+    """A missing keepdims is the commonest mistake of all, and the report has only its shapes; it
+    tells of an axis that does not help; or an error without a place ends the report.
+    """
+    (tmp_path / "transforms.py").write_text(line)
+    with pytest.raises((ValueError, SyntaxError)) as error:
+        exec(compile(line, tmp_path / "transforms.py", "exec"), {"np": np})
+    said = error_text(error.value, tmp_path)
+    assert "transforms.py:1 in" in said and (fits or "\n") in said
+    assert (" fits " in said) == bool(fits)
 
 
 def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_here):

@@ -37,7 +37,7 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),
     *((f"{name} {target}", f"upkeep.{name}.run", (target or None,), {}) for name, target in (
-        ("mistakes", ""), ("feedback", "2"), ("mutants", ""), ("mutants", "2.3"))),
+        ("mistakes", ""), ("mutants", ""), ("mutants", "2.3"))),
     *((f"skeleton {option}", "upkeep.skeleton.run", (),
        {"check": option == "--check", "force": option == "--force"})
       for option in ("", "--check", "--force")),

@@ -1,5 +1,6 @@
 """One's own mesh or photo in a scene's place, and ten lines that draw it."""
 import io
+import shutil
 import subprocess
 import sys
 
@@ -12,6 +13,7 @@ from course import exercises
 from course.checks import assert_close
 from course.experiments.scenes import demo, levels, own
 from course.given import image, mesh, mesh_files, places
+from course.given.whose import Lacking
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 2 0\n"
 
@@ -158,6 +160,22 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(pipe))
     monkeypatch.setattr(demo, "SCENES", {"scene": scene})
     assert demo.run(["scene"], "reference") == 0 and name in pipe.getvalue().decode()
+
+
+@pytest.mark.parametrize(("text", "said"), [
+    ("x = 1\ndef (:\n", "/arrays.py, line 2: this is not Python"),
+    ("\0", "imports, cannot be imported: source code string cannot contain null bytes"),
+    ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'"),
+    ("from . import nothing", "cannot import name 'nothing'"),
+    ("from .nothing import x", "/nothing.py is not in this copy of the course")])
+def test_a_lab_that_cannot_be_imported_is_named(text, said, tmp_path, monkeypatch):
+    """The student looks for the mistake in the file that imports it; or all ends in a traceback."""
+    shutil.copytree(places.ROOT / "reference", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "arrays.py").write_text(text)
+    monkeypatch.syspath_prepend(tmp_path.parent)
+    with pytest.raises(Lacking) as told:
+        demo.run(["bunny"], tmp_path.name)
+    assert said in str(told.value)
 
 
 def test_the_ten_lines_draw_a_mesh_where_they_stand():

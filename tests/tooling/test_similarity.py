@@ -35,7 +35,7 @@ ANSWER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterizati
 # --- honest work ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("folder", ["reference", "tests/wrong_answers"])
+@pytest.mark.parametrize("folder", ["reference", "tests/mistakes"])
 def test_two_sets_of_answers_to_all_labs_are_no_pair(folder, monkeypatch):
     """What the questions force is taken for copied, even where no other answer is known."""
     monkeypatch.setattr(similarity, "KEPT", ())
@@ -118,7 +118,7 @@ def one_only(text):
 def test_a_copy_is_found_whatever_it_wears(dress, only_reference):
     """One comment more, and nobody notices."""
     texts = {"ada": {"rasterization": ANSWER}, "bob": {"rasterization": dress(ANSWER)},
-             "eve": labs("tests/wrong_answers", LAB)}
+             "eve": labs("reference", LAB)}
     pair, *others = pairs(texts)
     assert (pair.first, pair.second) == ("ada", "bob") and "2.13" in {
         one.number for one in pair.exercises}
@@ -131,8 +131,7 @@ def test_a_copy_of_the_reference_is_near_it_and_honest_work_is_not(only_referenc
     near = similarity.compare({"eve": copied}, CORE)[1]
     assert {*map(exercises.lab_number, CORE)} == {
         exercises.lab_number(topic) for _, topic in near} and {*near.values()} == {1.0}
-    honest = {folder: labs(folder) for folder in (
-        "tests/other_solutions", "tests/mistakes", "tests/wrong_answers")}
+    honest = {folder: labs(folder) for folder in ("tests/other_solutions", "tests/mistakes")}
     assert similarity.compare(honest, CORE)[1] == {}
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from submitted import put, zipped
 
-from course import exercises
+from course import imports
 from course.grading.gradebook import lateness
-from course.grading.handing import archives, submissions
+from course.grading.handing import archives, contents, submissions
 
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
@@ -274,7 +274,7 @@ def test_the_hash_is_of_all_labs_that_were_handed_in(handed_in):
     every = {"transforms": "x = 1\n", "reconstruction": "y = 2\n"}
     assert "reconstruction" not in TOPICS
     one = handed_in({f"ada/{topic}.py": text for topic, text in every.items()})["ada"]
-    assert one.texts.keys() == {"transforms"} and one.digest == archives.digest(every)
+    assert one.texts.keys() == {"transforms"} and one.digest == contents.digest(every)
 
 
 # --- what cannot be taken ---------------------------------------------------------------------
@@ -372,7 +372,10 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     ("try:\n    import tqdm\nexcept ImportError:\n    pass", [(2, "tqdm", False)]),
     ("def f():\n    from course.given import gradcheck, mesh",
      [(2, "course.given.gradcheck", False)]),
-    ("from course import checks", [(1, "course.checks", True)])])
-def test_imports_that_a_worker_does_not_have(line, found):
+    ("from course import checks", [(1, "course.checks", True)]),
+    ("from . import sampling, transforms", [(1, "labs.sampling", True)])])
+def test_imports_that_a_worker_does_not_have(line, found, tmp_path):
     """A student learns only from the mark that torch is not there."""
-    assert exercises.foreign_imports(line) == found
+    put(tmp_path, {"rasterization.py": line})
+    assert [(need.line, need.shown, need.at_the_top)
+            for _, need in imports.not_there("rasterization", tmp_path)] == found

@@ -14,7 +14,7 @@ from course.given import places
 from course.grading.handing import texts
 from course.grading.pages import numeric, overview, similarity, unusual
 
-FOLDERS = "tests/other_solutions", "tests/wrong_answers", "tests/mistakes"
+FOLDERS = "tests/other_solutions", "tests/mistakes"
 OTHER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
 
 

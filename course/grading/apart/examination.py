@@ -62,6 +62,7 @@ class Examination:
 
     def __init__(self, job, labs):
         self.job = job
+        self.own = {name: text for name, text in job.texts.items() if name not in exercises.TOPICS}
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
         self.twins = {exercise.number: exercise.twins for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
@@ -163,7 +164,7 @@ class Examination:
         if self.opened == self.running:
             return
         self.finish()
-        self.worker = self.worker or self.start()
+        self.worker = self.worker or self.start(self.own)
         modules = (*map(self.earlier_lab, before_it(topic)),
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
@@ -245,21 +246,25 @@ class Examination:
         print(printed, end="")
 
     def raise_here(self, topic, error, text, frames):
-        text, lines = printable(text[:MOST_TEXT]), self.job.texts[topic].splitlines()
+        text = printable(text[:MOST_TEXT])
+        lines = {f"labs/{name}.py": self.job.texts[name].splitlines()
+                 for name in (topic, *self.own)}
         if error == "NotImplementedError" and UNFINISHED.fullmatch(text):
             raise NotImplementedError(text)
-        shown = [(file, line, function, lines[line - 1].strip())
+        shown = [(file, line, function, lines[file][line - 1].strip())
                  for file, line, function in map(frame, frames[:MOST_FRAMES])
-                 if file == f"labs/{topic}.py" and 0 < line <= len(lines)]
+                 if 0 < line <= len(lines.get(file, ()))]
         raise Mismatch(("wrong", "\n".join([
             cut(f"{printable(error[:60])}: {text}".removesuffix(": ")),
             *shown_frames(shown)])))
 
     # --- workers
 
-    def start(self):
+    def start(self, own=()):
+        """A worker that finds, beside what labs are given, these modules of the student's own."""
+        more = {f"labs.{name}": text for name, text in dict(own).items()}
         try:
-            return sandbox.Worker(self.job.level, self.job.limits)
+            return sandbox.Worker(self.job.level, self.job.limits, more)
         except (sandbox.Lost, OSError) as error:
             self.problem = f"no worker could be started: {error}"
             raise pytest.exit.Exception(self.problem) from None

@@ -23,8 +23,8 @@ PARENT_MEMORY = 1 << 32  # bytes that this process may take
 
 def examine(job: Job) -> Result:
     started = time.monotonic()
-    labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
-    labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
+    labs = {topic: exercises.topic_exercises(topic) for topic in exercises.topics()
+            if topic in (*job.texts, *job.missing)}
     numbers = [exercise.number for lab in labs.values() for exercise in lab
                if job.extra or not exercise.is_extra]
     examination = Examination(job, labs)

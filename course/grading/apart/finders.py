@@ -22,7 +22,8 @@ class Packages:
 
 
 class Given(importlib.abc.MetaPathFinder, importlib.abc.ExecutionLoader):
-    """Finds the modules of the course that labs may import: {name: text}."""
+    """Finds the modules that labs may import, of the course and of the student's own: {name: text}.
+    """
 
     def __init__(self, texts):
         self.texts = texts

@@ -8,7 +8,7 @@ from .sandbox import Limits
 class Job(NamedTuple):
     """What is to be examined: the labs' texts, and a sentence for each that is not there."""
 
-    texts: dict[str, str]     # {topic: text}
+    texts: dict[str, str]     # {topic, or a module of the student's own: text}
     missing: dict[str, str]   # {topic: sentence}
     level: str
     seed: int = 0

@@ -48,7 +48,8 @@ class Lost(Exception):
 class Worker:
     """A worker process. send a message, receive one. Lost where that fails or takes too long."""
 
-    def __init__(self, level, limits=Limits()):  # noqa: B008, a NamedTuple does not change
+    def __init__(self, level, limits=Limits(), more=()):  # noqa: B008, it does not change
+        """more {name: text}: modules to be found beside what labs import of the course."""
         self.level = level
         self.limits = limits
         self.spent = 0.0  # seconds that the last answer took: see Meter
@@ -63,15 +64,15 @@ class Worker:
         self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
-            self.begin(settings)
+            self.begin(settings, given() | dict(more))
         except BaseException:  # such as Ctrl-C
             self.close()
             raise
 
-    def begin(self, settings):
+    def begin(self, settings, modules):
         """Have it shut in, and watched from now on."""
         try:
-            _, self.has = self.exchange(("start", settings, given()), 30)
+            _, self.has = self.exchange(("start", settings, modules), 30)
         except Lost as lost:
             said = self.process.stderr.read1(2000).decode("utf-8", "replace").strip()
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None

@@ -1,10 +1,10 @@
 """What is in folders and archives: the file of each lab. Nothing is unpacked, no link is followed.
 
 In a folder or an archive, labs/transforms.py comes before transforms.py, then the least deep. Of
-things that were handed in apart, the newest counts, for each lab.
+things that were handed in apart, the newest counts, for each lab. A module of the student's own
+that a lab imports is read as labs are, from the folder that the lab is in.
 """
 import functools
-import hashlib
 import io
 import itertools
 import os
@@ -13,11 +13,10 @@ import stat
 import unicodedata
 import zipfile
 from pathlib import Path, PurePosixPath
-from typing import NamedTuple
 
-from ... import exercises
+from ... import exercises, imports
+from .contents import MOST_TEXT, Lab, readable, texts_of
 
-MOST_TEXT = 1 << 18      # bytes of one lab
 BUDGET = 1 << 23         # bytes that are read of what one student has handed in. Among these,
 EACH_ARCHIVE = 1 << 19   # an archive counts as so many more, for what is unpacked,
 EACH_FILE = 200          # and a file of a folder as it would in an archive's list of files
@@ -29,14 +28,6 @@ COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*+"  # transforms (
 LAB = re.compile(r"(?:(.*?)(?<![\W_])[\W_]++)??((?a:"
                  + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
                  + rf")){COPY}\.py", re.I | re.S)
-
-
-class Lab(NamedTuple):
-    """The file of one lab."""
-
-    when: float | tuple         # the later, the greater
-    source: str                 # the file's name, or the archive's
-    content: bytes | ValueError  # or why there is none
 
 
 class Budget:
@@ -55,49 +46,11 @@ class Budget:
 def read(path, topics) -> tuple[dict, dict, list]:
     """What one student has handed in -> (texts, missing, notes), and what is to be said of it.
 
-    texts {topic: text}, missing {topic: sentence}, notes: sentences.
+    texts {topic or module: text}, missing {topic: sentence}, notes: sentences.
     """
     notes = []
     labs = labs_in(Path(path), Path(path).name, notes, Budget())
     return *texts_of(labs, topics, notes), notes
-
-
-def texts_of(labs, topics, notes) -> tuple[dict, dict]:
-    """{topic: Lab} -> ({topic: text}, {topic: sentence} of those that are not there)."""
-    texts, missing = {}, {}
-    for topic in topics:
-        try:
-            texts[topic] = text_of(labs[topic].content)
-        except KeyError:
-            missing[topic] = f"there is no labs/{topic}.py in what was handed in"
-        except ValueError as error:
-            missing[topic] = f"labs/{topic}.py {error}"
-    if not texts and notes:
-        missing = {topic: f"{sentence} ({'; '.join(notes)})" for topic, sentence in missing.items()}
-    return texts, missing
-
-
-def text_of(content):
-    """A lab's bytes, or the error that they gave -> its text, whose lines all end with \\n.
-
-    It is all that the code can read of its own file, so it is what the hash is made of.
-    """
-    if isinstance(content, ValueError):
-        raise content
-    if len(content) > MOST_TEXT:
-        raise ValueError(f"has more than {MOST_TEXT >> 10} kB; a lab has a tenth of that")
-    try:
-        return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
-
-
-def digest(texts) -> str:
-    """The hash of the labs, however they were packed: 64 hexadecimal digits."""
-    whole = hashlib.sha256()
-    for topic in sorted(texts):
-        whole.update(f"{topic}\0{exercises.digest(texts[topic])}\n".encode())
-    return whole.hexdigest()
 
 
 def zipped(files, programs=()) -> bytes:
@@ -174,29 +127,53 @@ def rank(place, topic, when):
 
 
 def chosen(entries, name, notes):
-    """{topic: Lab} of entries (name, when, function that reads it), one file for each topic.
+    """{topic: Lab} of entries (name, when, function that reads it), one file for each topic. And
+    {name: Lab} of the student's own modules that these import.
 
     name: of the folder or archive that they are in.
     """
-    there, others, alike = {}, [], {}
+    there, others, alike, places = {}, [], {}, {}
     for entry, when, content in entries:
         place = PurePosixPath(entry.replace("\\", "/"))
+        places[place] = entry, when, content
         if topic := topic_at(place):
-            there.setdefault(topic, []).append((rank(place, topic, when), entry, when, content))
+            there.setdefault(topic, []).append((rank(place, topic, when), place, entry, when,
+                                                 content))
         else:
             others.append(entry)
             alike.setdefault(looks_like(place.name), entry)
-    labs = {}
+    labs, folders = {}, {}
     for topic, found in there.items():
-        _, entry, when, content = min(found, key=lambda one: one[0])
+        _, place, entry, when, content = min(found, key=lambda one: one[0])
         labs[topic] = Lab(when, quoted(entry), careful(content))
-        notes += passed_over(entry, [other for _, other, *_ in found])
-    notes += [f"{quoted(entry)} only looks like {topic}.py: rename it"
-              for topic, entry in alike.items() if topic]
+        folders[place.parent] = None
+        notes += passed_over(entry, [other for *_, other, _, _ in found])
+    notes += not_taken(labs, others, alike, name)
+    return labs | beside(labs, folders, places)
+
+
+def beside(labs, folders, places):
+    """{name: Lab} of the modules that labs import, in their folders. places {path: an entry}."""
+    found = {}
+
+    def read(name):
+        paths = [folder / f"{name}.py" for folder in folders if folder / f"{name}.py" in places]
+        if paths:
+            entry, when, content = places[paths[0]]
+            found[name] = Lab(when, quoted(entry), careful(content))
+            return readable(found[name])
+
+    imports.own_modules(map(readable, labs.values()), read)
+    return found
+
+
+def not_taken(labs, others, alike, name):
+    """Sentences on what is no lab, others, of which alike {topic: file} looks like one."""
+    yield from (f"{quoted(entry)} only looks like {topic}.py: rename it"
+                for topic, entry in alike.items() if topic)
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
-        notes.append(f"{quoted(name)} {what}")
-    return labs
+        yield f"{quoted(name)} {what}"
 
 
 def passed_over(taken, names):

@@ -18,9 +18,9 @@ WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folde
          "notebooks/errata.md", "notebooks/00*.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
-    "__init__", "handing/__init__", "handing/archives", "handing/pack")}
+    "__init__", "handing/__init__", "handing/archives", "handing/contents", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in (
-    "changes", "feedback", "mistakes", "mutants", "mutations", "trials")}
+    "changes", "mistakes", "mutants", "mutations", "trials")}
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 

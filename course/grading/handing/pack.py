@@ -1,22 +1,27 @@
 """What a student hands in: the labs in one zip, checked as they are in it."""
 import contextlib
+import functools
 import io
 import tempfile
 from pathlib import Path
 
-from ... import board, exercises
+from ... import board, exercises, imports, verdicts
 from ...given import places
-from . import archives
+from . import archives, contents
 
 
 def run(name="labs.zip") -> int:
-    """Pack labs/, unpack the zip in a clean folder, check that, print its board and hash -> 0.
+    """Pack labs/ and what they import, unpack the zip in a clean folder, check that, print its
+    board and hash -> 0, or 1 if something could not be taken.
 
     The hash is that of grades.csv: it does not depend on how the labs were packed.
     """
-    labs = (places.ROOT / "labs" / f"{topic}.py" for topic in exercises.topics())
+    labs = places.ROOT / "labs"
+    read = functools.partial(imports.text_in, labs)
+    there = {topic: text for topic in exercises.topics() if (text := read(topic)) is not None}
     places.write_whole(name, archives.zipped(
-        (f"labs/{path.name}", path.read_bytes()) for path in labs if path.exists()))
+        (f"labs/{each}.py", (labs / f"{each}.py").read_bytes())
+        for each in (*there, *imports.own_modules(there.values(), read))))
 
     texts, missing, notes = archives.read(name, exercises.topics())
     with tempfile.TemporaryDirectory() as made:
@@ -29,5 +34,6 @@ def run(name="labs.zip") -> int:
         print(said.getvalue().replace(f" --impl {folder}", "").replace(folder, "labs"), end="")
     for sentence in (*missing.values(), *notes):
         print(sentence)
-    print(f"{name} is what to hand in; hash {archives.digest(texts)}")
-    return 0
+    asked = {topic: exercises.topic_exercises(topic) for topic in there}
+    print(f"{name} is what to hand in; hash {contents.digest(texts)}")
+    return int(bool(missing or notes or verdicts.not_there(asked, labs)[1]))

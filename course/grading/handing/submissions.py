@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ... import exercises
-from . import archives, platforms
+from . import archives, contents, platforms
 
 LONGEST_NAME = 100  # bytes of a student's name as a folder
 NOBODY = ("no student can be told from this name: put it into a folder with the student's name, "
@@ -23,7 +23,7 @@ class Submission(NamedTuple):
     """What one student has handed in."""
 
     student: str              # unique in any case, safe as a folder's name
-    texts: dict[str, str]     # {topic: text}
+    texts: dict[str, str]     # {topic, or a module of the student's own: text}
     missing: dict[str, str]   # {topic: sentence}, of those that were expected and cannot be taken
     notes: tuple[str, ...]    # sentences for the report
     identity: platforms.Identity = platforms.Identity()
@@ -108,15 +108,17 @@ def submission(name, found, topics, groups):
         there = archives.labs_in(path, path.name, notes, budget)
         every.append({topic: lab._replace(when=(sender.order, lab.when))
                       for topic, lab in there.items()})
-    labs = [{topic: lab for topic, lab in there.items() if topic in topics} for there in every]
-    whole, _ = archives.texts_of(archives.newest(every, []), exercises.topics(), [])
+    labs = [{topic: lab for topic, lab in there.items() if topic in topics
+             or topic not in exercises.TOPICS} for there in every]
+    whole, _ = contents.texts_of(archives.newest(every, []), exercises.topics(), [])
     taken = archives.newest(labs, notes)
+    texts, missing = contents.texts_of(taken, topics, notes)
     senders = [sender for sender, _ in found]
     used = [sender for sender, there in zip(senders, labs, strict=True)
-            if any(there[topic] is taken[topic] for topic in there)] or senders
+            if any(there[name] is taken[name] for name in there.keys() & {*texts, *missing})
+            ] or senders
     last = max(used, key=lambda sender: sender.order)
     group = next((groups[path] for sender, path in found if sender is last and path in groups), "")
-    texts, missing = archives.texts_of(taken, topics, notes)
     return Submission(name, texts, missing, tuple(notes), last.identity, last.handed_in,
-                      max((sender.late for sender in used), key=bool), archives.digest(whole),
+                      max((sender.late for sender in used), key=bool), contents.digest(whole),
                       group)

@@ -1,18 +1,20 @@
 """What was handed in, as the folders that programs take which look for copies.
 
-    DIR/code/ada/transforms.py            of each student, or of one member of each group
+    DIR/code/ada/transforms.py            of each student, or of one member of each group, and what
+                                          labs import of the student's own
     DIR/code-handed-out/transforms.py     what all of them were given
 
 Later runs find here what was handed in before.
 """
 import shutil
 
-from ... import exercises, lab_text
+from ... import exercises, imports, lab_text
 from ...given import places
 
 
 def kept(out, works) -> dict[str, dict[str, str]]:
-    """Write the texts that came with these Submissions -> {student: {topic: text}} of all of them.
+    """Write the texts that came with these Submissions -> of all, {student: {name: text}}. The name
+    is a topic, or that of a module of the student's own.
 
     Who has none and lacks none is of an earlier run. Of a group, one member stands for all.
     """
@@ -27,7 +29,7 @@ def kept(out, works) -> dict[str, dict[str, str]]:
         if one.student in first.values():
             write(folder, one.texts)
             found[one.student] = {path.stem: exercises.read(path) for path in folder.glob("*.py")}
-    topics = set().union(*found.values())
+    topics = set().union(*found.values()).intersection(exercises.TOPICS)
     write(out / "code-handed-out", {topic: handed_out(topic) for topic in topics})
     return found
 
@@ -40,3 +42,15 @@ def write(folder, texts):
 
 def handed_out(topic):
     return lab_text.skeleton(exercises.read(exercises.reference(topic)))
+
+
+def parts(labs, topic) -> dict[str, str]:
+    """{name: text} of the student's own modules that a lab imports, if they are Python, and of it.
+    """
+    own = imports.own_modules([labs[topic]], labs.get)
+    return {name: own[name] for name in own if imports.nodes(own[name])} | {topic: labs[topic]}
+
+
+def whole(labs, topic) -> str:
+    """The texts of the modules, and below them the lab's, whose functions count if names meet."""
+    return "\n".join(parts(labs, topic).values())

@@ -6,6 +6,7 @@ from ... import exercises
 from ...checks.page import document, escaped, paragraph, rows
 from ...given import places
 from ..gradebook import sheets
+from ..handing.texts import whole
 from . import similarity
 
 MOST_PAIRS = 50      # shown side by side; similar.csv has all
@@ -29,7 +30,7 @@ ABOUT = (
 
 
 def write(out, pairs, texts):
-    """Write both files. texts {student: {topic: text}}."""
+    """Write both files. texts: as `texts.kept` has them."""
     places.write_whole(out / "similar.csv", sheets.written(table(pairs)))
     places.write_whole(out / "similar.html", page(pairs, texts).encode("utf-8"))
 
@@ -58,7 +59,7 @@ def page(pairs, texts):
         for one in pair.exercises[:MOST_EXERCISES]:
             parts.append(paragraph(sentence(one), "claim"))
             sides = (f"<div>{escaped(student)}"
-                     f"<pre>{highlighted(texts[student][one.topic], one)}</pre></div>"
+                     f"<pre>{highlighted(whole(texts[student], one.topic), one)}</pre></div>"
                      for student in (pair.first, pair.second))
             parts.append(f'<div class="sides">{"".join(sides)}</div>')
     return document("Alike, for a person to judge", *parts, style=STYLE)

@@ -23,6 +23,7 @@ from typing import NamedTuple
 
 from ... import exercises
 from ...given import places
+from ..handing.texts import whole
 
 SMALLEST = 8    # nodes of a part
 LARGEST = 300   # nodes of a part: what is larger is found by its parts
@@ -31,7 +32,7 @@ FORCED = 40     # nodes that honest answers to one exercise may share
 LEAST = 40      # nodes beyond these, in all exercises, that make a pair
 NEAR = 0.7      # of a lab's nodes stand in parts that the reference's answers have
 SHORT = 100     # nodes of a lab in parts; of fewer, honest answers may be as near
-KEPT = "reference", "tests/other_solutions", "tests/mistakes", "tests/wrong_answers"
+KEPT = "reference", "tests/other_solutions", "tests/mistakes"
 UNCOUNTED = ast.expr_context, ast.operator, ast.unaryop, ast.cmpop, ast.boolop
 NAME = {ast.Name: "id", ast.arg: "arg", ast.FunctionDef: "name"}
 LEFT_OUT = {"ctx", "annotation", "returns", "type_comment", "decorator_list", "type_params", "kind"}
@@ -66,12 +67,12 @@ class Answer(NamedTuple):
 
 
 def compare(texts, columns) -> tuple[list[Pair], dict]:
-    """{student: {topic: text}}, {topic: its exercises} -> the pairs, the most alike first; and
-    {(student, topic): share} of what is near to the reference. Of a group, give one member.
+    """{topic: its exercises} -> the pairs, the most alike first; and {(student, topic): share} of
+    what is near to the reference. texts: as `texts.kept` has them; of a group, give one member.
     """
     shared, near = collections.defaultdict(list), {}
     for topic, asked in columns.items():
-        written = {student: answers(labs[topic], topic, asked)
+        written = {student: answers(whole(labs, topic), topic, asked)
                    for student, labs in texts.items() if topic in labs}
         near |= {(student, topic): share for student, answer in written.items()
                  if (share := share_of_reference(answer, topic)) > NEAR}
@@ -165,7 +166,12 @@ def read_answer(text, shared) -> Answer:
 
 
 def functions_of(text):
-    return {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    """{name: function} of a text, also under the names that an import in it gives them."""
+    body = ast.parse(text).body
+    functions = {node.name: node for node in body if isinstance(node, ast.FunctionDef)}
+    return functions | {alias.asname: functions[alias.name] for node in body
+                        if isinstance(node, ast.ImportFrom) for alias in node.names
+                        if alias.asname and alias.name in functions}
 
 
 def compared(functions, topic, asked):
@@ -205,9 +211,10 @@ def reached(functions, name, helpers):
     names, ends = [name], [name]
     while ends:
         for node in ast.walk(functions[ends.pop()]):
-            if isinstance(node, ast.Name) and node.id in helpers and node.id not in names:
-                names.append(node.id)
-                ends.append(node.id)
+            called = getattr(node, "id", getattr(node, "attr", None))  # norm, or norms.norm
+            if called in helpers and called not in names:
+                names.append(called)
+                ends.append(called)
     return [functions[each] for each in names]
 
 

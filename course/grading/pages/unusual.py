@@ -11,6 +11,7 @@ import re
 from typing import NamedTuple
 
 from ... import exercises
+from ..handing.texts import parts
 from . import numeric
 
 MOST_NODES = 20_000    # of a lab that is looked at: five times the longest reference
@@ -49,14 +50,14 @@ class Usual(NamedTuple):
 
 
 def by_student(texts, columns, near) -> list[tuple[str, list[Sign]]]:
-    """{student: {topic: text}}, {topic: its exercises} -> [(student, signs)], the heaviest first.
+    """{topic: its exercises} -> [(student, signs)], the heaviest first.
 
-    near: of `similarity.compare`. Of a group, give one member.
+    texts: as `texts.kept` has them; of a group, give one member. near: of `similarity.compare`.
     """
     found = equal_files(texts)
     for student, labs in texts.items():
         for topic in labs.keys() & columns.keys():
-            found[student] += signs(labs[topic], topic, columns[topic])
+            found[student] += signs(parts(labs, topic), topic, columns[topic])
     for (student, topic), share in near.items():
         found[student].append(Sign(10, topic, 1, f"{share:.0%} of the answers are the reference's, "
                                                  "whatever variables are called"))
@@ -81,7 +82,8 @@ def equal_files(texts):
 
 def own_lines(text, topic):
     """How many lines of code stand in a lab, and neither in the reference nor in the hand-out."""
-    own, given = map(code_lines, (text, exercises.read(exercises.reference(topic))))
+    given = exercises.read(exercises.reference(topic)) if topic in exercises.TOPICS else ""
+    own, given = map(code_lines, (text, given))
     return sum(not line.startswith("raise NotImplementedError") for line in own - given)
 
 
@@ -95,11 +97,23 @@ def code_lines(text):
 # --- in one lab -------------------------------------------------------------------------------
 
 
-def signs(text, topic, asked) -> list[Sign]:
-    """The signs in one lab alone."""
-    return [Sign(min(10, 3 * len(things)), topic, things[0][0], reason.format(", ".join(
-                f"{thing} (line {line})" for line, thing in things)))
-            for reason, things in found(parsed(text), topic, asked).items() if things]
+def signs(each, topic, asked):
+    """Yield the signs in one lab alone. each: of `texts.parts`."""
+    for reason, things in found(parsed("\n".join(each.values())), topic, asked).items():
+        placed = [(thing, *place(each, line)) for line, thing in things]
+        shown = (f"{thing} ({'' if name == topic else f'{name}.py, '}line {line})"
+                 for thing, name, line in placed)
+        if placed:
+            yield Sign(min(10, 3 * len(placed)), *placed[0][1:], reason.format(", ".join(shown)))
+
+
+def place(each, line):
+    """(module, line in it) of a line in the texts below each other."""
+    for name, text in each.items():
+        count = text.count("\n") + 1
+        if line <= count:
+            return name, line
+        line -= count
 
 
 def parsed(text):
