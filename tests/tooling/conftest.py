@@ -15,8 +15,8 @@ import pytest
 from course import cli
 from course.given import places, plot
 
-WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_running.py",
-           "test_sandbox.py"]
+WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
+           "test_running.py", "test_sandbox.py"]
 collect_ignore = WORKERS if sys.platform == "win32" else []  # there, nothing can be graded
 LONGEST = {"test_examine.py", "test_mistakes.py", "test_handout.py", "test_hostile.py"}
 
