@@ -152,10 +152,10 @@ def test_64_cubed_cells_take_half_a_second_at_most():
     distance = implicit_surfaces.signed_distance(points, ("torus", 0.6, 0.25))
     seconds = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()
         vertices, _, ends = marching_tetrahedra.marching_tetrahedra(points, distance, tetrahedra)
         marching_tetrahedra.marching_tetrahedra_backward(vertices, ends, points, distance)
-        seconds.append(time.perf_counter() - start)
+        seconds.append(time.process_time() - start)
     assert min(seconds) <= 0.5
 
 

@@ -5,7 +5,6 @@ import shutil
 import subprocess
 from pathlib import Path
 
-import check_jsonschema
 import pytest
 from click.testing import CliRunner
 from submitted import put
@@ -18,6 +17,7 @@ FILES = ROOT / "course" / "grading" / "files"
 
 def keeps(schema, path):
     """Whether a file keeps a schema that comes with check-jsonschema. No network is needed."""
+    import check_jsonschema  # here, because that takes three seconds: every worker reads this file
     done = CliRunner().invoke(check_jsonschema.main, ["--builtin-schema", f"vendor.{schema}",
                                                       str(path)])
     return done.exit_code == 0

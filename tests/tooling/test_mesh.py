@@ -281,12 +281,12 @@ def test_no_faces_have_no_edges():
 
 def test_a_hundred_thousand_faces_take_no_time():
     """A loop over faces in Python, or a sort of rows: seconds instead of fractions."""
-    start = time.perf_counter()
+    start = time.process_time()
     vertices, faces = mesh.torus(100_000)
     mesh.vertex_normals(vertices, faces)
     mesh.edge_faces(faces)
     mesh.adjacency(faces, len(vertices))
-    assert time.perf_counter() - start < 2.5
+    assert time.process_time() - start < 2.5
 
 
 def test_the_data_readme_states_the_facts():

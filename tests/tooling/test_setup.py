@@ -271,12 +271,12 @@ if os.name == "posix":  # Ctrl-C as a terminal sends it: to the start and to wha
         child = subprocess.Popen([sys.executable, "-m", "course", "0"], cwd=root, text=True,
                                  stderr=subprocess.PIPE, env=surroundings(root, **more),
                                  start_new_session=True)
-        patience = time.monotonic() + 20
+        patience = time.monotonic() + 60
         while not (root / "reached").exists():
             assert time.monotonic() < patience, "the start does not come so far"
             time.sleep(0.01)
         by(child)
-        _, errors = child.communicate(timeout=20)
+        _, errors = child.communicate(timeout=60)
         return child.returncode, errors
 
     def test_ctrl_c_during_set_up_is_one_sentence_and_leaves_its_mark(new):
