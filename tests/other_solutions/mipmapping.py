@@ -12,12 +12,12 @@ def halve(image):
     return image
 
 
-def in_texels(jacobian, width, height):
+def texels_a_pixel(jacobian, width, height):
     return np.array(jacobian) * np.array([[width], [height]])
 
 
 def mip_level(jacobian, width, height):
-    lengths = np.linalg.svd(in_texels(jacobian, width, height), compute_uv=False)[:, 0]
+    lengths = np.linalg.svd(texels_a_pixel(jacobian, width, height), compute_uv=False)[:, 0]
     return [math.log2(length) if length > 0 else -math.inf for length in lengths]
 
 
