@@ -48,7 +48,9 @@ def paint_and_light(labs):
         start = time.process_time()
         photos, x, surface = found(labs, name, searches.fine_stages(labs))
         yield f"{name}: {time.process_time() - start:.0f} s", None
-        sheets = [as_found(labs, x, surface, name, photos)[1]]
+        numbers, sheet = as_found(labs, x, surface, name, photos)
+        sheets = [sheet]
+        yield f"  the search alone: {words(numbers)}", None
         for way, settings in ways.items():
             look = lab.decompose(surface, targets_of(labs, photos), **settings)
             numbers, sheet = judged(labs, surface, look, name, photos)
