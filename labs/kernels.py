@@ -67,8 +67,8 @@ def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
-    Each fragment does key[p] = min(key[p], its key), all in integers of 64 bits, np.int64: the
-    largest is 2^62 + face. The face is found in the key.
+    Each fragment does key[p] = min(key[p], its key), all in np.int64, of which the largest is
+    2^62 + face. The face is found in the key.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])

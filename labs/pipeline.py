@@ -149,6 +149,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
 
 
 @has_kernels("compiled_pipeline")
+# Refuse meanwhile: compiled_pipeline.draw_backward, compiled_pipeline.through_colours
 def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points), spine
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).

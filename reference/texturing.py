@@ -210,9 +210,8 @@ def texels_at(uv, width, height, filter, boundary):
 def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (4 points)
     """Backward of eqs. (2) and (3): grad_weight (N, 4) of 2 x 2 texels -> grad_uv (N, 2).
 
-    weight[:, 2 i + j] = row[i] column[j], where the weight row[i] comes from v and height by
-    `linear_texels`, and column[j] from u and width. width and height may be arrays (N,): the levels
-    of a pyramid have different ones.
+    weight[:, 2 i + j] = row[i] column[j], where row[i] comes from v and height by `linear_texels`,
+    and column[j] from u and width. These sizes may be arrays (N,).
 
     >>> bilinear_backward(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[0.125, 0.1875]]), 8, 4)
     array([[2., 2.]])

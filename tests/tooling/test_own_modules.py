@@ -245,7 +245,7 @@ def test_one_module_in_two_labs_is_seen(form, text, tmp_path, monkeypatch):
     monkeypatch.setattr(similarity, "KEPT", ("reference",))
     path = exercises.reference("rasterization")
     labs = {"ada": with_module(lab_text.skeleton(exercises.read(path)), *LINES["name"]),
-            "bob": with_module(exercises.read(places.ROOT / "tests" / "literal" / path.name),
+            "bob": with_module(exercises.read(places.ROOT / "tests" / "other_solutions" / path.name),
                                *LINES[form], text)}
     (pair, *_), _ = similarity.compare(labs, {"rasterization": CORE["rasterization"]})
     assert "2.13" in [one.number for one in pair.exercises]
