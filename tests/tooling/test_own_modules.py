@@ -244,9 +244,9 @@ def test_one_module_in_two_labs_is_seen(form, text, tmp_path, monkeypatch):
     """What two share lies in a file at which nobody looks."""
     monkeypatch.setattr(similarity, "KEPT", ("reference",))
     path = exercises.reference("rasterization")
+    other = exercises.read(places.ROOT / "tests" / "other_solutions" / path.name)
     labs = {"ada": with_module(lab_text.skeleton(exercises.read(path)), *LINES["name"]),
-            "bob": with_module(exercises.read(places.ROOT / "tests" / "other_solutions" / path.name),
-                               *LINES[form], text)}
+            "bob": with_module(other, *LINES[form], text)}
     (pair, *_), _ = similarity.compare(labs, {"rasterization": CORE["rasterization"]})
     assert "2.13" in [one.number for one in pair.exercises]
     side_by_side.write(tmp_path, [pair], labs)
