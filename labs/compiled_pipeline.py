@@ -5,7 +5,8 @@
 
 Each function stands for the one of its name in another module. What it finds is the same to the
 bit, and gradients to rounding. What is not of the expected shape, or names what is not there, is an
-error before a kernel reads it, or when it comes upon it: compiled code reads on in memory.
+error before a kernel reads it, or when it comes upon it: compiled code reads on in memory. (Only an
+opposite vertex that is not there counts as none.)
 
 A picture is cut into bands of rows, one for each thread, or the faces into shares where they are
 more than the pixels. What the threads find is put together in the order of the bands. So no result
