@@ -72,7 +72,7 @@ def groups():
     return made
 
 
-USES = {path: set(handout.uses(path)) for path in map(exercises.reference, exercises.topics())}
+USES = {path: handout.uses(path) for path in map(exercises.reference, exercises.topics())}
 
 
 @pytest.mark.parametrize("topics", groups(), ids=lambda topics: topics[0])
