@@ -231,17 +231,6 @@ for text in right.replace("2 *", "3 *"), right:
 '''
 
 
-def test_a_hand_out_without_reference_has_its_board(house, run_here):
-    """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    files = {"tests/labs/test_rasterization.py": SECOND_CHECKS, "labs/rasterization.py": SECOND}
-    done = run_here(house(files), "course", "check", "2")
-    assert done.returncode == 0 and "3 of 3" in done.stdout
-    files["labs/rasterization.py"] = SECOND.replace("2 * x", "2 *")
-    broken = run_here(house(files), "course", "check", "2")
-    assert broken.returncode == 2
-    assert broken.stderr.startswith("course: labs/rasterization.py, line 3: this is not Python")
-
-
 def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
     """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
     done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
