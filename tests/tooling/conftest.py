@@ -96,6 +96,7 @@ def in_the_place_of(root):
     with pytest.MonkeyPatch.context() as patch, contextlib.chdir(root):
         patch.setattr(places, "ROOT", root)
         patch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
+        patch.setenv("PYTEST_ADDOPTS", "-p no:unraisableexception")  # collects garbage: 1 s here
         patch.setenv("COLUMNS", "80")
         patch.setenv("FORCE_COLOR", "")
         try:
