@@ -362,8 +362,8 @@ def test_watching_checks_again_when_a_file_is_saved(house):
                 said.append(process.stdout.readline())
                 assert said[-1], "it ended"
             boards.append("".join(said))
-            if text:  # at once: who sees half a file checks twice
-                places.write_whole(lab, text.encode())
+            if text:
+                lab.write_text(text)
         process.send_signal(signal.SIGINT)
         rest = process.communicate(timeout=60)[0]
     assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
