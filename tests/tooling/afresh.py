@@ -1,6 +1,6 @@
 """Processes of their own, forked from one that has imported what all of them need: NumPy, SciPy,
 Matplotlib, pytest. That takes a second, which each would take for itself. Of the course, nothing
-is imported there. Windows has no fork, and starts Python.
+is imported there. Linux alone forks safely after such imports: elsewhere, Python is started.
 """
 import multiprocessing
 import os
@@ -11,10 +11,11 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-START = multiprocessing.get_context("forkserver" if hasattr(os, "fork") else "spawn")
-START.set_forkserver_preload([
-    "matplotlib.pyplot", "PIL.Image", "pytest", "rich.progress", "rich.table",
-    "scipy.sparse.linalg", "scipy.spatial.transform"])
+IMPORTED = ["matplotlib.pyplot", "PIL.Image", "pytest", "rich.progress", "rich.table",
+            "scipy.sparse.linalg", "scipy.spatial.transform"]
+START = multiprocessing.get_context("forkserver" if sys.platform == "linux" else "spawn")
+if sys.platform == "linux":
+    START.set_forkserver_preload(IMPORTED)
 NOT_PASSED_ON = "PYTEST_", "PYTHON", "COLUMNS", "FORCE_COLOR", "TTY_"
 
 
