@@ -9,8 +9,8 @@ import time
 import webbrowser
 from pathlib import Path
 from typing import NoReturn
-from unittest import mock
 
+import pytest
 from rich.console import Console
 from rich.table import Table
 
@@ -97,7 +97,9 @@ def show(target: str | None = None, implementation: str = "labs") -> None:
 
 def show_here(target, implementation, plain):
     """The board of `check`, made in this process, with other environment variables."""
-    with contextlib.chdir(places.ROOT), mock.patch.dict(os.environ, plain):
+    with contextlib.chdir(places.ROOT), pytest.MonkeyPatch.context() as environment:
+        for name, value in plain.items():
+            environment.setenv(name, value)
         try:
             check(target, implementation)
         except ValueError as error:
@@ -163,8 +165,9 @@ def also(wrong):
 
 def in_the_lecture__s_order(entries):
     """Lab by lab, in the order in which a lecture reaches its exercises."""
-    reached = {number: place for topics in exercises.LABS
-               for place, number in enumerate(sections(*exercises.pages(topics[0])))}
+    topics = {exercises.LABS[exercises.lab_number(entry.topic) - 1] for entry in entries}
+    reached = {number: place for own, *_ in topics
+               for place, number in enumerate(sections(*exercises.pages(own)))}
 
     def place(entry):
         lab, rank = map(int, entry.number.split("."))
@@ -267,16 +270,18 @@ def all_done(board, spine):
 
 
 def coming(done, topic, spine):
-    """What comes after these exercises, the last of which is of this topic."""
+    """What comes after these exercises, the last of which is of this topic: in its lab, then in
+    those after it, then in those before it.
+    """
     lab = exercises.lab_number(topic)
-    left = [exercises.lab_number(topic) for topic in exercises.asking_topics()
-            for one in exercises.topic_exercises(topic) if one.number not in done
-            and (one.is_spine if spine else not one.is_extra)]
-    later = [other for other in left if other > lab]
-    if lab in left:
+    topics = sorted(exercises.asking_topics(), key=lambda one: exercises.lab_number(one) < lab)
+    left = next((exercises.lab_number(topic) for topic in topics
+                 for one in exercises.topic_exercises(topic) if one.number not in done
+                 and (one.is_spine if spine else not one.is_extra)), None)
+    if left is None:
+        return "python3 -m course demo, your own pictures"
+    if left == lab:
         return f"python3 -m course check {lab}{' --spine' * spine}, for the rest of the lab"
-    if later:
-        return f"lab {later[0]}, {exercises.LABS[later[0] - 1][0]}"
-    if left:
-        return "python3 -m course check, for the rest"
-    return "python3 -m course demo, your own pictures"
+    if left > lab:
+        return f"lab {left}, {exercises.LABS[left - 1][0]}"
+    return "python3 -m course check, for the rest"

@@ -57,6 +57,7 @@ WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
                   rf"(?(1)({OPEN})?|(, spine)?)")
+ANY_MARK = re.compile(rf"^def .*{MARK.pattern}$", re.MULTILINE)
 TWINS = re.compile(r"# Refuse meanwhile: (.+)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
@@ -82,7 +83,7 @@ def topics() -> tuple[str, ...]:
 
 def asking_topics() -> tuple[str, ...]:
     """The topics that have exercises, in the course's order: all but those of given code."""
-    return tuple(topic for topic in topics() if topic_exercises(topic))
+    return tuple(topic for topic in topics() if ANY_MARK.search(read(questions(topic))))
 
 
 def lab_number(topic: str) -> int:

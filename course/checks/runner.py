@@ -28,7 +28,8 @@ def run_checks(labs: dict, numbers: Iterable[str], implementation: str, seed: in
     if not tests:
         return [], []
     options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
-               "-p", "no:cacheprovider", "--continue-on-collection-errors",
+               "-p", "no:cacheprovider", "--continue-on-collection-errors", "--no-summary",
+               "-p", "no:unraisableexception",  # it collects garbage twice, 0.1 s
                "--capture=sys",  # of prints; a browser cannot capture files
                f"--impl={implementation}", f"--seed={seed}"]
     said = io.StringIO()

@@ -54,10 +54,16 @@ def edges_of(faces):
                             for pair in itertools.combinations(face, 2)}))
 
 
+def normal_of(a, b, c):
+    """(b - a) x (c - a): of two short vectors, np.cross takes ten times as long."""
+    (x, y, z), (u, v, w) = b - a, c - a
+    return np.array([y * w - z * v, z * u - x * w, x * v - y * u])
+
+
 def shape(a, b, c):
     """Twice the area over the square of the longest edge."""
     longest = max((b - a) @ (b - a), (c - b) @ (c - b), (a - c) @ (a - c))
-    return np.linalg.norm(np.cross(b - a, c - a)) / longest
+    return np.linalg.norm(normal_of(a, b, c)) / longest
 
 
 def place_and_cost(q, a, b):
@@ -87,7 +93,7 @@ def is_allowed(vertices, faces, a, b, x):
     for face in others:
         p, q, r = vertices[face]
         p1, q1, r1 = (x if v in (a, b) else vertices[v] for v in face)
-        n, n1 = np.cross(q - p, r - p), np.cross(q1 - p1, r1 - p1)
+        n, n1 = normal_of(p, q, r), normal_of(p1, q1, r1)
         if n @ n1 < LEAST_COSINE * np.linalg.norm(n) * np.linalg.norm(n1) \
                 or shape(p1, q1, r1) < LEAST_SHAPE * shape(p, q, r):
             return False

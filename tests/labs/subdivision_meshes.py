@@ -64,11 +64,11 @@ def topology(faces):
 
 
 def neighbours(v, edges):
-    return [int(a + b - v) for a, b in edges if v in (a, b)]
+    return [int(other) for other in edges[(edges == v).any(1)].sum(1) - v]
 
 
 def valence_of(count, edges):
-    return np.array([len(neighbours(v, edges)) for v in range(count)])
+    return np.bincount(edges.ravel(), minlength=count)
 
 
 def dense(entries, shape):
@@ -100,9 +100,9 @@ def require_inside(rows, columns, shape):
 
 def old_vertices(count, edges, is_boundary, u, w):
     """Eq. (3) as a matrix (V, V), row by row."""
-    matrix = np.eye(count)
+    matrix, boundary = np.eye(count), edges[is_boundary]
     for v in range(count):
-        along = neighbours(v, edges[is_boundary])
+        along = neighbours(v, boundary)
         for other in along or neighbours(v, edges):
             matrix[v, other] += w if along else u[v]
         matrix[v, v] = 2 - matrix[v].sum()

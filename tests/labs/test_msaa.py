@@ -325,8 +325,8 @@ def test_it_takes_less_time_than_to_visit_all_samples(impl, rng):
     face_index[:, 100:160, 100:160] = random_faces(rng, 4, 60, 60, 50)
 
     def visit():
-        for s, i, j in np.ndindex(face_index.shape):
-            face_index[s, i, j]
+        for i, j in np.ndindex(500, 500):
+            face_index[0, i, j]
 
     def seconds(function, *args):
         start = time.perf_counter()
@@ -334,7 +334,7 @@ def test_it_takes_less_time_than_to_visit_all_samples(impl, rng):
         return time.perf_counter() - start
 
     # The shortest of three, taken in turns, whatever else the machine does.
-    times = [(seconds(impl.shading_requests, face_index), seconds(visit)) for _ in range(3)]
+    times = [(seconds(impl.shading_requests, face_index), 4 * seconds(visit)) for _ in range(3)]
     least, visited = map(min, zip(*times, strict=True))
     assert least < visited, (  # where work is graded, the numbers' way there counts, too
         f"it takes {least:.2f} s, and a visit of all samples {visited:.2f} s: is there a loop over "

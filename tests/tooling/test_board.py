@@ -153,19 +153,6 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, num
     assert done.returncode == (not next_line.startswith("All"))
 
 
-def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_here):
-    """The numbers of the lab's own module come first, so that 2.3 is told before 2.2."""
-    files = {}
-    for topic, number in ("rasterization", "2.3"), ("scanline", "2.2"):
-        lab = SECOND.replace("2.1", number)
-        refusal = f'raise NotImplementedError("exercise {number}: twice")'
-        files |= {f"reference/{topic}.py": lab,
-                  f"labs/{topic}.py": lab.replace("return 2 * x", refusal),
-                  f"tests/labs/test_{topic}.py": SECOND_CHECKS.replace("2.1", number)}
-    done = run_here(house(files), "course", "check", "2")
-    assert "Next: 2.2 twice, not started" in done.stdout
-
-
 def test_an_exercise_without_a_check_says_so(check):
     """It is done, as nothing fails."""
     assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout
@@ -229,17 +216,6 @@ for text in right.replace("2 *", "3 *"), right:
     lab.write_text(text)
     print("status", board.check("2"))
 '''
-
-
-def test_a_hand_out_without_reference_has_its_board(house, run_here):
-    """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    files = {"tests/labs/test_rasterization.py": SECOND_CHECKS, "labs/rasterization.py": SECOND}
-    done = run_here(house(files), "course", "check", "2")
-    assert done.returncode == 0 and "3 of 3" in done.stdout
-    files["labs/rasterization.py"] = SECOND.replace("2 * x", "2 *")
-    broken = run_here(house(files), "course", "check", "2")
-    assert broken.returncode == 2
-    assert broken.stderr.startswith("course: labs/rasterization.py, line 3: this is not Python")
 
 
 def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):

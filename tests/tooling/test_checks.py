@@ -565,14 +565,6 @@ def test_random_integers_can_be_indices_where_these_have_32_bits(rng, monkeypatc
     assert_equal(drawn, expected)
 
 
-def test_verdicts_are_the_same_in_another_process(course, run_module, output):
-    """The record of a check does not survive the way to the main process."""
-    done = run_module(course, "pytest", "--impl=labs", "-n", "1")
-    assert done.stdout.splitlines()[-1].split(" in ")[0] == (
-        output["all"].splitlines()[-1].split(" in ")[0])
-    assert "verdict   not started (exercise 1.4: mask)" in done.stdout
-
-
 def test_authors_of_checks_can_have_the_traceback(course, run_here):
     """The report cannot be switched off, and a defect of the check cannot be found."""
     done = run_here(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")

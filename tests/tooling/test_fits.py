@@ -27,23 +27,6 @@ def off_the_template(x):
     return np.linalg.norm(x - fit_triangle.TEMPLATE, axis=1).sum()
 
 
-def test_without_antialiasing_the_triangle_has_no_gradient():
-    """A gradient of rounding errors, which Adam would make into steps."""
-    x, losses, gradients = fit_triangle.fit(LABS, fit_triangle.template(LABS), False, steps=5)
-    assert (gradients == 0).all() and (x == fit_triangle.START).all()
-    assert np.ptp(losses) == 0 and losses[0] > 0.1
-
-
-def test_the_triangle_comes_to_a_tenth_of_a_pixel():
-    """The goal of the lecture's first example: a gradient of the wrong sign or scale, or a fit that
-    stops on the way to its template.
-    """
-    x, losses, gradients = fit_triangle.fit(LABS, fit_triangle.template(LABS), True)
-    assert np.abs(gradients[0]).min() > 0 and losses[40] < 0.9 * losses[0]
-    assert off_the_template(x[0]) > off_the_template(x[40]) + 5
-    assert np.linalg.norm(x[-1] - fit_triangle.TEMPLATE, axis=1).max() <= 0.1
-
-
 def test_the_pose_comes_to_a_hundredth_of_a_degree():
     """The goal of the pose: a search that ends in a wrong valley, or a descent that ends early."""
     rotations, goal = fit_pose.fit(LABS, 0)

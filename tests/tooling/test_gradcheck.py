@@ -72,16 +72,6 @@ def linear_backward(grad_output, texels, u):
     return grad_texels, (texels[i + 1] - texels[i]) * grad_output
 
 
-def unit(v):
-    return v / np.linalg.norm(v, axis=-1, keepdims=True)
-
-
-def unit_backward(grad_output, v):
-    u = unit(v)
-    along = np.sum(grad_output * u, axis=-1, keepdims=True)
-    return (grad_output - u * along) / np.linalg.norm(v, axis=-1, keepdims=True)
-
-
 def sign(x):
     return x > 0
 
@@ -210,33 +200,6 @@ def test_the_numeric_derivative_is_taken_on_the_plateau():
     assert 1 < np.argmin(change) < len(change) - 2
 
 
-def random_case(seed):
-    """(forward, backward, inputs, decisions) of a right gradient, of any size and magnitude."""
-    rng = np.random.default_rng(seed)
-    size = 10 ** rng.uniform(-3, 3)
-    m, n, k = rng.integers(1, 5, 3)
-    a = size * rng.normal(size=(m, n))
-    b = size * rng.choice([-1, 1], (m, n)) * rng.uniform(0.05, 2, (m, n))
-    return [
-        (product, product_backward, (a, rng.normal(size=(n, k))), None),
-        (np.divide, quotient_backward, (a, b), None),
-        (gather, gather_backward, (a, rng.integers(0, m, 7)), None),
-        (lambda x, s: np.exp(x / s),
-         lambda g, x, s: (g * np.exp(x / s) / s, -np.sum(g * np.exp(x / s) * x) / s**2),
-         (a, float(size)), None),
-        (linear, linear_backward, (size * rng.normal(size=6), rng.uniform(0, 4.99, 5)),
-         lambda texels, u: texel(u)),
-        (unit, unit_backward, (size * rng.normal(size=(m, 3)),), None),
-    ][seed % 6]
-
-
-@pytest.mark.parametrize("seed", range(100))
-def test_no_right_gradient_of_a_hundred_is_called_wrong(seed):
-    """False alarms."""
-    forward, backward, inputs, decisions = random_case(seed)
-    gradcheck(forward, backward, inputs, seed=seed, decisions=decisions)
-
-
 # --- wrong gradients ----------------------------------------------------------------------------
 
 
@@ -252,12 +215,7 @@ RETURNS = "backward must return 2 gradients, with respect to input 0 (a), input 
 WRONG_PRODUCTS = {  # backward, parts of what is told
     "sign": (lambda g, a, b: (-g @ b.T, a.T @ g), "(a): 9 of 9 ... off; the sign is flipped"),
     "factor": (lambda g, a, b: (g @ b.T, 2 * a.T @ g), "(b): 9 of 9 ... everything is 2 times"),
-    "transpose": (lambda g, a, b: (g @ b.T, g.T @ a),
-                  "input 1 (b): 6 of 9 ... off; rows and columns are swapped"),
-    "reversed": (lambda g, a, b: ((g @ b.T)[::-1], a.T @ g),
-                 "input 0 (a) ... off; the order along axis 0 is reversed"),
     "zero": (lambda g, a, b: (g @ b.T, 0 * b), "(b): 9 of 9 ... off; it is zero everywhere"),
-    "mean for sum": (lambda g, a, b: (g @ b.T / 3, a.T @ g), "(a) ... everything is 0.333333 "),
     "column": (lambda g, a, b: (g @ b.T, a.T @ g * (np.arange(3) < 2)),
                "input 1 (b): 3 of 9 ... off; it may be that it is zero in [..., 2]\n"),
     "shape": (lambda g, a, b: (g @ b.T, (a.T @ g)[:2]), "the gradient with respect to input 1 (b) "

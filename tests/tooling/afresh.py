@@ -1,0 +1,54 @@
+"""Processes of their own, forked from one that has imported what all of them need: NumPy, SciPy,
+Matplotlib, pytest. That takes a second, which each would take for itself. Of the course, nothing
+is imported there. Linux alone forks safely after such imports: elsewhere, Python is started.
+"""
+import multiprocessing
+import os
+import runpy
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+IMPORTED = ["matplotlib.pyplot", "PIL.Image", "pytest", "rich.progress", "rich.table",
+            "scipy.sparse.linalg", "scipy.spatial.transform"]
+START = multiprocessing.get_context("forkserver" if sys.platform == "linux" else "spawn")
+if sys.platform == "linux":
+    START.set_forkserver_preload(IMPORTED)
+NOT_PASSED_ON = "PYTEST_", "PYTHON", "COLUMNS", "FORCE_COLOR", "TTY_"
+
+
+def run_module(root, *command, seconds=600):
+    """run_module(root, "pytest", "-x") -> the finished process of python -m pytest -x in root."""
+    settings = {name: value for name, value in os.environ.items()
+                if not name.startswith(NOT_PASSED_ON)}
+    with tempfile.TemporaryDirectory() as folder:
+        files = [Path(folder, name) for name in ("stdout", "stderr")]
+        process = START.Process(target=become, args=(root, [*map(str, command)], settings, files))
+        process.start()
+        process.join(seconds)
+        if process.exitcode is None:
+            process.kill()
+            raise subprocess.TimeoutExpired(command, seconds)
+        return subprocess.CompletedProcess(
+            command, process.exitcode, *(path.read_text("utf-8") for path in files))
+
+
+def become(root, command, settings, files):
+    """Do in this process what python -m command does in root, with this environment."""
+    os.environ.clear()
+    os.environ.update(settings, PYTHONIOENCODING="utf-8")
+    for number, path in enumerate(files, 1):
+        os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND), number)
+    sys.stdout, sys.stderr = (
+        open(number, "w", encoding="utf-8", buffering=1, closefd=False) for number in (1, 2))
+    os.chdir(root)
+    sys.path[:] = [str(root), *(path for path in sys.path if not is_ours(Path(path)))]
+    sys.argv[1:] = command[1:]
+    runpy.run_module(command[0], run_name="__main__", alter_sys=True)
+
+
+def is_ours(path):
+    """Is it on the path for the tests of this copy?"""
+    return path in (Path(), ROOT) or path.is_relative_to(ROOT / "tests")
