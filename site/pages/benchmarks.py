@@ -29,7 +29,7 @@ def tables(pipeline, peers):
     """The pipeline's stages, backward with a "d", and a picture with its gradient by others."""
     both = [row for row in peers["milliseconds"]
             if row["work"] == "both ways" and row["pixels"] == 512**2]
-    return (table("A picture and its gradient, stage by stage", pipeline,
+    return (table("A picture and its gradient (d), stage by stage", pipeline,
                   pipeline["medians in ms"]["faces"], STAGES)
             + table("A picture and its gradient, by several renderers", peers, both, RENDERERS))
 

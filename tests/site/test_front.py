@@ -27,16 +27,6 @@ def index():
 
 
 @pytest.fixture(scope="module")
-def opened(browser, address):
-    """The front page in a browser, its film loaded."""
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.goto(f"{address}/index.html")
-    page.locator(".film canvas").wait_for()
-    yield page
-    page.close()
-
-
-@pytest.fixture(scope="module")
 def published(tmp_path_factory):
     """A site of two pages, made for its publisher's address -> its folder."""
     source, target = tmp_path_factory.mktemp("pages"), tmp_path_factory.mktemp("site")
@@ -71,31 +61,6 @@ def test_the_page_says_the_commands_and_the_numbers_of_the_readme(index):
     commands = re.findall(r"^    (python3 -m course \w+)", readme, re.M)[:2]
     assert len(numbers) == len(commands) == 2
     assert [one for one in (*numbers, *commands) if one not in said] == []
-
-
-def test_words_stand_below_the_panels_of_the_film_while_it_plays(opened):
-    """Three bunnies, and nobody knows which of them is given; or the film covers the words."""
-    canvas = opened.locator(".film canvas").bounding_box()
-    labels = opened.locator(".film figcaption span")
-    assert labels.all_inner_texts()[0] == "the target"
-    boxes = [label.bounding_box() for label in labels.all()]
-    assert len(boxes) == 3
-    third = canvas["width"] / 3
-    for k, box in enumerate(boxes):
-        middle = (box["x"] + box["width"] / 2 - canvas["x"]) / third
-        assert k < middle < k + 1
-        assert box["y"] >= canvas["y"] + canvas["height"] - 1
-
-
-def test_the_gallery_has_six_large_pictures_each_of_the_lecture_to_which_it_leads(opened):
-    """One is not there, or is a blur on a fine screen, or leads to another lecture's neighbour."""
-    sizes = opened.eval_on_selector_all(".gallery img", """all => Promise.all(all.map(
-        async one => { one.loading = "eager"; await one.decode();
-                       return [one.naturalWidth, one.width]; }))""")
-    assert len(sizes) == 6
-    assert all(natural >= 2 * shown > 700 for natural, shown in sizes), sizes
-    links = opened.eval_on_selector_all(".gallery a", "all => all.map(one => one.pathname)")
-    assert len({link for link in links if link.startswith("/lectures/")}) == 6
 
 
 def test_the_star_is_what_the_page_of_code_draws(tmp_path, monkeypatch):
