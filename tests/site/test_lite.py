@@ -67,8 +67,9 @@ for path in sorted(Path(".").glob("[01]*.ipynb")):
     assert len(told.split()) == len([*ROOT.glob("notebooks/*.ipynb")])
 
 
-def test_what_is_collected_is_small_and_has_nothing_for_teachers(contents):
-    files = [path for path in contents.rglob("*") if path.is_file()]
+def test_what_is_collected_is_small_and_has_nothing_for_teachers(tmp_path):
+    lite.collect(tmp_path)
+    files = [path for path in tmp_path.rglob("*") if path.is_file()]
     outside = [path for path in files if "notebooks" not in path.parts]
     assert sum(path.stat().st_size for path in outside) < 6e6
     assert sum(path.stat().st_size for path in files) < 50e6
@@ -81,19 +82,25 @@ def test_only_a_cell_that_is_run_asks_another_host(tmp_path, browser):
     if not importlib.util.find_spec("jupyterlite_pyodide_kernel"):
         pytest.skip("JupyterLite is not there: install site/requirements-lite.txt")
     lite.write(tmp_path / "lite")
-    page, asked = browser.new_page(), set()
-    page.on("request", lambda request: asked.add(urllib.parse.urlsplit(request.url).hostname))
+    asked = set()
+
+    def opened(file, part):
+        page = browser.new_page()  # in a context of its own
+        page.on("request", lambda request: asked.add(urllib.parse.urlsplit(request.url).hostname))
+        page.goto(f"{address}/lite/lab/index.html?path={file}")
+        page.locator(part).first.wait_for(timeout=60_000)
+        return page
+
     with served(tmp_path) as address:
-        page.goto(f"{address}/lite/lab/index.html?path=notebooks/02_rasterization.ipynb")
-        page.wait_for_selector(".jp-OutputArea-output img", timeout=60_000)
-        page.goto(f"{address}/lite/lab/index.html?path=labs/transforms.py")
-        page.wait_for_selector(".jp-FileEditor .cm-line", timeout=60_000)
+        opened("notebooks/02_rasterization.ipynb", ".jp-OutputArea-output img").close()
+        page = opened("labs/transforms.py", ".jp-FileEditor .cm-line")
         assert "# exercise 1.2 (1 point)" in page.locator(".jp-FileEditor").inner_text()
-        page.goto(f"{address}/lite/lab/index.html?path=notebooks/in_the_browser.ipynb")
-        page.locator(".jp-CodeCell").first.click(timeout=60_000)
+        page.close()
+        page = opened("notebooks/in_the_browser.ipynb", ".jp-Notebook .jp-CodeCell")
         page.wait_for_timeout(3000)  # a kernel that starts by itself would have asked by now
         assert asked == {"127.0.0.1"}
+        page.locator(".jp-Notebook .jp-CodeCell").first.click()
         with page.expect_event("request", lambda request: "jsdelivr" in request.url):
             page.keyboard.press("Shift+Enter")
         assert asked == {"127.0.0.1", "cdn.jsdelivr.net"}
-    page.close()
+        page.close()
