@@ -4,11 +4,9 @@
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --lite     and with JupyterLite: the labs in the browser
 
-Sphinx reads again only what has changed, and all pages after a change of the site's own code. The
-new site replaces the old one when it is whole.
+The new site replaces the old one when it is whole.
 """
 import contextlib
-import filecmp
 import functools
 import http.server
 import shutil
@@ -34,28 +32,6 @@ def write_sources(folder, extra, lite):
     benchmarks.write(folder, extra)
     for part in lectures, front, texts_links:
         part.write(folder, extra, lite)
-
-
-def bring_in_step(folder, new):
-    """Make a folder's files those of another, touching only those that differ.
-
-    -> whether the same files are there as before.
-    """
-    names = [{path.relative_to(root) for path in root.rglob("*") if path.is_file()}
-             for root in (folder, new)]
-    for name in names[0] - names[1]:
-        (folder / name).unlink()
-    for name in names[1]:
-        if name not in names[0] or not filecmp.cmp(folder / name, new / name, shallow=False):
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(new / name, folder / name)
-    return names[0] == names[1]
-
-
-def code_is_newer(file):
-    """-> whether the site's own code has changed since a file was written."""
-    return file.exists() and file.stat().st_mtime < max(
-        path.stat().st_mtime for path in SITE.rglob("*.py"))
 
 
 def publish(parts, target):
@@ -88,18 +64,12 @@ def make(lite):
 
     A warning of Sphinx is an error: a link that leads nowhere, say.
     """
-    pages, new, extra, html, read = (WORK / name for name in (
-        "pages", "new", "extra", "html", "doctrees"))
-    for folder in new, extra:
-        shutil.rmtree(folder, ignore_errors=True)
-    write_sources(new, extra, lite)
-    if not bring_in_step(pages, new) or code_is_newer(read / "environment.pickle"):
-        for folder in html, read:  # pages that are no more, or as older code made them
-            shutil.rmtree(folder, ignore_errors=True)
+    shutil.rmtree(WORK, ignore_errors=True)
+    pages, extra, html = (WORK / name for name in ("pages", "extra", "html"))
+    write_sources(pages, extra, lite)
     status = build_main(["-b", "html", "-j", "auto", "-q", "--keep-going", "--fail-on-warning",
-                         "-c", str(SITE), "-d", str(read), str(pages), str(html)])
-    if status:  # what Sphinx has read it does not read again, and would say nothing of the fault
-        shutil.rmtree(read, ignore_errors=True)
+                         "-c", str(SITE), "-d", str(WORK / "doctrees"), str(pages), str(html)])
+    if status:
         return status
     if lite:
         from pages import lite as jupyter_lite  # needs more packages

@@ -30,8 +30,7 @@ html_title = project
 html_short_title = "Differentiable rasterization"
 html_math_renderer = "mathml"
 html_static_path = [str(SITE / "static")]
-html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
-                  "figures/figures.css"]
+html_css_files = ["style.css", "source.css", "players/players.css", "figures/figures.css"]
 html_additional_pages = {"search": "search.html"}
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]

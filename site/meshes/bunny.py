@@ -1,4 +1,4 @@
-"""Makes bunny.glb, and a picture of it, from what lab 16 found. Run this first:
+"""Makes bunny.npz, the mesh and the paint that lab 16 found. Run this first:
 
     python3 -m course demo reconstruct course/given/data/captures/bunny
 
@@ -13,15 +13,11 @@ from scipy.spatial import KDTree
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from course.experiments.folder import exports
-from course.experiments.scenes import drawing, portrait, viewing
-from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT
-from reference import collapse_heap, rasterization, scanline
+from reference import collapse_heap
 
 FOUND = ROOT / "out" / "demo" / "reconstruct" / "bunny" / "bunny.glb"
-MADE = Path(__file__).with_suffix(".glb")
 
 
 def main():
@@ -32,18 +28,9 @@ def main():
     vertices, faces, _ = collapse_heap.simplify(np.array(whole.vertices),
                                                 np.array(whole.faces), 10_000)
     albedo = paint[KDTree(found.vertices).query(vertices)[1]]
-    vertices = mesh.normalize(vertices)
-    normals = mesh.vertex_normals(vertices, faces)
-    MADE.write_bytes(exports.glb(vertices, faces, normals, albedo))
-
-    clip = viewing.clip_positions(Labs("reference"), vertices, portrait.BUNNY_EYE)
-    face_index, _ = scanline.rasterize(clip, faces, drawing.SIZE, drawing.SIZE)
-    seen = face_index >= 0
-    weights = rasterization.barycentrics(face_index, clip, faces)[seen][..., None]
-    corners = faces[face_index[seen]]
-    light = drawing.lit(weights[..., 0], normals[corners]) / drawing.BRASS
-    colours = image.to_srgb(light * (weights * albedo[corners]).sum(1))
-    image.write(MADE.with_suffix(".png"), drawing.painted(seen, colours))
+    np.savez_compressed(Path(__file__).with_suffix(".npz"), faces=faces.astype(np.int32),
+                        vertices=mesh.normalize(vertices).astype(np.float32),
+                        albedo=np.rint(255 * np.clip(albedo, 0, 1)).astype(np.uint8))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,4 @@
-"""The benchmarks' page: the README of benchmarks/, and the numbers that most readers ask for.
-
-Each number in its tables is read from benchmarks/results, whose files the page links.
-"""
+"""The benchmarks' page: the README of benchmarks/, two tables of its results, and all of these."""
 import json
 
 from benchmarks.measure import text as number
@@ -21,53 +18,26 @@ def write(folder, extra):
     files = sorted((SCRIPTS / "results").glob("*.json"))
     for file in files:
         put(extra / "benchmarks" / file.name, file.read_bytes())
-    readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), "benchmarks", extra)
-    about, *more = readme.partition("\n## ")
     found = {file.stem: json.loads(file.read_text("utf-8")) for file in files}
-    put(folder / "benchmarks.md", linked(about + numbers(found) + "".join(more), "benchmarks"))
+    links = ", ".join(f'<a href="benchmarks/{name}.json">{name}</a>' for name in found)
+    readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), "benchmarks", extra)
+    put(folder / "benchmarks.md", linked(readme, "benchmarks")
+        + tables(found["pipeline"], found["peers"]) + f"\n## All results\n\n{links}.\n")
 
 
-def numbers(found):
-    """{name: result} -> the sections with the tables, and the links to all results."""
-    pipeline, peers = found["pipeline"], found["peers"]
-    both = [row for row in peers["milliseconds"] if row["work"] == "both ways"]
-    small = [row for row in both if row["pixels"] == 512**2]
-    return f"""
-## A picture and its gradient
-
-`pipeline.render` and `pipeline.render_backward`, "d render", beside their stages one by one, in
-512 x 512 pixels. {measured("pipeline", pipeline)}
-
-{table("faces", pipeline["medians in ms"]["faces"], STAGES)}
-
-## Beside other renderers
-
-A picture and its gradient together, in 512 x 512 pixels. {measured("peers", peers)}
-
-{table("faces", small, RENDERERS)}
-
-NumPy's time grows as the faces to the power of {number(peers["NumPy, exponent in faces"])}, and as
-the pixels to the power of {number(peers["NumPy, exponent in pixels"])}. All of them with
-{number(both[-1]["faces"])} faces:
-
-{table("pixels", [row for row in both if row["faces"] == both[-1]["faces"]], RENDERERS)}
-
-## All results
-
-{", ".join(f'<a href="benchmarks/{name}.json">{name}</a>' for name in found)}.
-"""
+def tables(pipeline, peers):
+    """The pipeline's stages, backward with a "d", and a picture with its gradient by others."""
+    both = [row for row in peers["milliseconds"]
+            if row["work"] == "both ways" and row["pixels"] == 512**2]
+    return (table("A picture and its gradient (d), stage by stage", pipeline,
+                  pipeline["medians in ms"]["faces"], STAGES)
+            + table("A picture and its gradient, by several renderers", peers, both, RENDERERS))
 
 
-def measured(name, content):
-    """When, on what, and in which file."""
-    return (f"Milliseconds, {content['processor']}, NumPy {content['numpy']}, {content['date']}: "
-            f'<a href="benchmarks/{name}.json">{name}.json</a>.')
-
-
-def table(key, results, names):
-    """A Markdown table with a line for each name, and a column for each result, headed by its key.
-    """
-    lines = [[key, *(number(row[key]) for row in results)],
-             ["---", *["---:"] * len(results)],
-             *([name, *(number(row[name]) for row in results)] for name in names)]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+def table(title, result, rows, names):
+    """A section with a line for each name, and a column for each number of faces."""
+    lines = [["faces", *(f"{row['faces']:,}" for row in rows)], ["---", *["---:"] * len(rows)],
+             *([name, *(number(row[name]) for row in rows)] for name in names)]
+    return (f"\n## {title}\n\nMilliseconds for 512 x 512 pixels, {result['processor']}, NumPy "
+            f"{result['numpy']}, {result['date']}.\n\n"
+            + "".join(f"| {' | '.join(line)} |\n" for line in lines))

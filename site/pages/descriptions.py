@@ -1,9 +1,8 @@
-"""For search engines and chats: what a page is about, and which pages there are."""
+"""For search engines and chats: what a page is about."""
 import ast
 import html
 import re
 import textwrap
-from pathlib import Path
 
 from docutils import nodes
 
@@ -15,7 +14,6 @@ TAG = re.compile(r"<[^>]+>")
 
 def setup(app):
     app.connect("html-page-context", describe, priority=400)  # before sphinxext.opengraph
-    app.connect("build-finished", list_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -36,15 +34,3 @@ def first_words(page, doctree):
             return ast.get_docstring(ast.parse(module.read_text("utf-8"))).partition("\n\n")[0]
     texts = (TAG.sub("", part.astext()) for part in doctree.findall(nodes.paragraph))
     return next((text for text in texts if len(text) >= LEAST and "·" not in text), "")
-
-
-def list_pages(app, error):
-    """Write sitemap.xml, where the site's address is known: of all pages, not only of new ones."""
-    address = app.config.html_baseurl
-    if address and not error:
-        places = [f"<url><loc>{address}{html.escape(page)}.html</loc></url>\n"
-                  for page in sorted(app.env.found_docs)]
-        (Path(app.outdir) / "sitemap.xml").write_text(
-            '<?xml version="1.0" encoding="UTF-8"?>\n'
-            '<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n'
-            f"{''.join(places)}</urlset>\n", "utf-8")

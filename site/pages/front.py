@@ -26,7 +26,6 @@ GALLERY = {  # lecture: the file, and the part of it that is shown
 FILM = DATA / "reconstruction.png"
 ZIP = "differentiable-rasterization"
 LITE = " Labs and lectures also run [in the browser](/in_the_browser.md), with nothing to install."
-ORIGIN = re.compile(r"(?:https://(?:[^@/]+@)?|(?:ssh://)?git@)([\w.-]+)[:/](.+?)(?:\.git)?/?")
 
 
 def write(folder, extra, lite):
@@ -62,22 +61,14 @@ def smaller(opened, size, kind):
 
 def ways(size):
     """How to get the course, in Markdown: a zip of so many bytes, if any, and the clone line."""
-    address, parts = repository(), []
+    server, name = map(os.environ.get, ("GITHUB_SERVER_URL", "GITHUB_REPOSITORY"))
+    parts = []
     if size:
         parts.append(f'<a class="first" href="{ZIP}.zip" download>Download the course</a> '
                      f"as a zip of {size / 1e6:.0f} MB, and unpack it.")
-    if address:
-        parts.append(f"{'Or clone' if size else 'Clone'} it:\n\n    git clone {address}")
-    return "\n\n".join(parts)
-
-
-def repository():
-    """The address at which everybody finds the course's repository, or "" where it is unknown."""
-    server, name = map(os.environ.get, ("GITHUB_SERVER_URL", "GITHUB_REPOSITORY"))
     if server and name:
-        return f"{server}/{name}"
-    found = ORIGIN.fullmatch(git("remote", "get-url", "origin").decode().strip())
-    return f"https://{found[1]}/{found[2]}" if found else ""
+        parts.append(f"With git:\n\n    git clone {server}/{name}")
+    return "\n\n".join(parts)
 
 
 def git(*command):

@@ -1,4 +1,4 @@
-"""What the site adds to the lectures: figures that answer, pairs of pictures, meshes to turn.
+"""What the site adds to the lectures: figures that answer, pairs of pictures, meshes that turn.
 
 A lecture's paragraph says what there is to touch, and links to this site with its name:
 
@@ -10,7 +10,7 @@ import re
 
 from course.given.places import ROOT
 
-from . import comparisons, meshes, waves
+from . import comparisons, turntables, waves
 
 FIGURES = ROOT / "site" / "static" / "figures"
 LINK = re.compile(r" \(\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)")
@@ -23,7 +23,7 @@ class Inserts:
         """Write their files to extra."""
         self.placed = set()
         waves.write(extra)
-        self.made = {**meshes.write(extra), **comparisons.write(extra), **answering()}
+        self.made = {**turntables.write(extra), **comparisons.write(extra), **answering()}
 
     def put_in(self, text):
         """A lecture's Markdown with the HTML of what its paragraphs name.

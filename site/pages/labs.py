@@ -1,7 +1,6 @@
 """The labs' pages: what each exercise asks, without its answer, and where to read on."""
 import ast
 import html
-import itertools
 import re
 
 from docutils.nodes import make_id
@@ -67,8 +66,8 @@ def page(course, lab):
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
                       f"You write in {files(asked)}. To check it: "
-                      f"`python3 -m course check {lab}`.\n", overview(course, asked),
-                      given(course, lab, gaps(modules, asked)),
+                      f"`python3 -m course check {lab}`. A number that is missing belongs to given "
+                      "code.\n", overview(course, asked),
                       *(question(course, name) for name in asked)])
 
 
@@ -89,36 +88,6 @@ def overview(course, asked):
                      f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
                      inline(course, module, first_sentence(question), {*bound(node)})])
     return table("overview", ["number", "function", "points", "kind", "question"], rows)
-
-
-def gaps(modules, asked):
-    """{a number without an exercise: the given functions that stand where it would}."""
-    numbers = {name: int(exercise.number.split(".")[1]) for name, exercise in asked.items()}
-    found = {n: [] for n in range(1, max(numbers.values())) if n not in numbers.values()}
-    for module in modules:
-        waiting, last = [], 0
-        for short, node in module.nodes.items():
-            name = f"{module.name}.{short}"
-            if name in numbers:  # code above the first exercise has the number before it
-                first = last + 1 if last else numbers[name] - 1
-                found |= {n: waiting for n in range(first, numbers[name]) if n in found}
-                waiting, last = [], numbers[name]
-            elif isinstance(node, ast.FunctionDef):
-                waiting.append(name)
-    return found
-
-
-def given(course, lab, found):
-    """What became of the numbers that no exercise has."""
-    parts = []
-    for names, numbers in itertools.groupby(found, key=found.get):
-        marks = ", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
-                          for number in numbers)
-        code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
-                         "</a>" for name in names)
-        parts.append(f"{marks} ({code})" if code else marks)
-    return as_myst("<p>Numbers without an exercise belong to given code: "
-                   f"{', '.join(parts)}.</p>") if parts else ""
 
 
 def module_and_node(course, name):

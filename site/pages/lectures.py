@@ -24,13 +24,12 @@ IMPORTS = "import sys; sys.path.append"
 
 
 def write(folder, extra, lite):
-    """Write the lectures to folder/lectures, notebooks and pictures to extra/lectures.
+    """Write the lectures to folder/lectures, and their pictures to extra/lectures.
 
     lite: they run in the browser. ValueError: a figure has no place, or a place no figure.
     """
     added = inserts.Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
-        put(extra / "lectures" / path.name, read_whole(path))
         notebook = nbformat.read(path, as_version=4)
         notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         first, pictures = notebook.cells[0], Pictures(path.stem, extra / "lectures" / "pictures")
@@ -52,12 +51,12 @@ def write(folder, extra, lite):
 
 def ways(path, line, lite):
     """The line below a lecture's title: where to run and read it, what it leads to, its minutes."""
-    run = f'<a href="../lite/lab/index.html?path=notebooks/{path.name}">Run here</a>'
-    notebook = f'<a href="{path.name}" download>Notebook</a>'
+    place, words = ((f"../lite/lab/index.html?path=notebooks/{path.name}", "Run here") if lite
+                    else ("../index.html#get-the-course", "Run it"))
     rest = NEIGHBOUR.sub("", line).replace("code: ", "Source: ")
     rest = re.sub(r"lab: \[[^]]*\]", f"[Lab {int(path.stem[:2])}]", rest)
     minutes = 5 * round(sum(hours.sections(path).values()) / 5)
-    return "{.ways}\n" + " · ".join([run] * lite + [notebook, rest] +
+    return "{.ways}\n" + " · ".join([f'<a href="{place}">{words}</a>', rest] +
                                     [f"about {minutes} minutes to read"] * bool(minutes))
 
 

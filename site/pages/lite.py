@@ -4,7 +4,6 @@ Python and its packages are not among the files. They come from Pyodide's CDN wh
 One that the CDN does not have, comm, is among them, so that no other host is asked.
 """
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -23,8 +22,6 @@ CONTENTS = (
     "course/experiments/**/*.*", "course/checks/*.*", "course/upkeep/__init__.py",
     "course/upkeep/extras.py", "tests/conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
-TEXTS = Path(__file__).parents[1] / "texts"
-GUIDE, NO_PYTHON = TEXTS / "in_the_browser.ipynb", TEXTS / "no_python.js"
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.
 PACKAGES = ["numpy", "scipy", "matplotlib", "pillow", "pytest", "rich"]
@@ -37,7 +34,7 @@ OVERRIDES = {"@jupyterlab/notebook-extension:tracker": {"autoStartDefaultKernel"
 def write(folder):
     """Write JupyterLite with the course's files to a folder, which is made anew.
 
-    OSError: JupyterLite could not be built.
+    subprocess.CalledProcessError: JupyterLite could not be built, and has said why.
     """
     with tempfile.TemporaryDirectory() as source:
         contents = Path(source) / "contents"
@@ -47,25 +44,12 @@ def write(folder):
             put(contents.parent / name, json.dumps(content))
         shutil.rmtree(folder, ignore_errors=True)
         extension = Path(sys.prefix) / "share" / "jupyter" / "labextensions" / KERNEL
-        built = subprocess.run(
+        subprocess.run(
             [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", source,
              "--contents", contents, "--output-dir", Path(folder).resolve(), "--apps", "lab",
              "--ignore-sys-prefix", f"--LiteBuildConfig.federated_extensions={extension}",
              "--no-sourcemaps", "--no-unused-shared-packages"],
-            cwd=source, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
-    if built.returncode:
-        raise OSError(f"cannot build JupyterLite: {built.stdout[-2000:]}")
-    watch(Path(folder), extension)
-
-
-def watch(folder, extension):
-    """Have JupyterLab say so when its kernel cannot load Python."""
-    python, = {address for file in (extension / "static").glob("*.js")
-               for address in re.findall(r'"(https:[^"]+/pyodide\.mjs)"', file.read_text("utf-8"))}
-    shutil.copy2(NO_PYTHON, folder)
-    page = folder / "lab" / "index.html"
-    script = f'<head><script src="../{NO_PYTHON.name}" data-python="{python}"></script>'
-    page.write_text(page.read_text("utf-8").replace("<head>", script, 1), "utf-8")
+            cwd=source, stdout=subprocess.DEVNULL, check=True)
 
 
 def collect(folder):
@@ -73,7 +57,7 @@ def collect(folder):
     for pattern in CONTENTS:
         for path in ROOT.glob(pattern):
             put(folder / path.relative_to(ROOT), path.read_bytes())
-    shutil.copy2(GUIDE, folder / "notebooks")
+    shutil.copy2(ROOT / "site" / "texts" / "in_the_browser.ipynb", folder / "notebooks")
 
 
 def pack(name, folder):

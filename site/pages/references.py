@@ -164,17 +164,6 @@ def _replace(text, found):
         text.parent.replace(text, [*parts, nodes.Text(text[done:])])
 
 
-def moved(_, env):
-    """-> the lectures, to be written again, if a place that one may lead to has moved, or none."""
-    lectures = sorted(page for page in env.found_docs if page.startswith("lectures/"))
-    places = ([env.metadata[page].get("myst_slugs") for page in lectures],
-              [lecture.equations for lecture in sources_course.read().lectures.values()],
-              exercise_pages(), dict(env.domaindata["std"]["terms"]))
-    before, env.places = getattr(env, "places", None), places
-    return lectures if before != places else []
-
-
 def setup(app):
     app.add_post_transform(References)
-    app.connect("env-updated", moved)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

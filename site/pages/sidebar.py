@@ -66,7 +66,6 @@ def entry(lecture):
 
 def lead_on(app, name, _template, context, _tree):
     """Next and previous stay among the lectures, among the labs, among the modules."""
-    context["mended"] = mended
     if "/" in name:
         for way, step in (("prev", 1), ("next", 2)):
             there = near(app.builder.relations, name, step)
@@ -82,12 +81,3 @@ def near(relations, name, step):
         if there.rpartition("/")[0] == name.rpartition("/")[0]:
             return there
     return None
-
-
-def mended(page, changes):
-    """The theme's page with [(old, new)] replaced. ValueError: the theme has no such part now."""
-    for old, new in changes:
-        if old not in page:
-            raise ValueError(f"templates/page.html mends {old!r}, which the theme no longer has")
-        page = page.replace(old, new)
-    return page

@@ -75,14 +75,6 @@ def test_a_page_opens_without_a_fault(page, firefox):
     assert firefox.errors == []
 
 
-def test_formulas_are_set(firefox):
-    """A fraction's two lines stand beside each other."""
-    above, below = firefox.run("lectures/07_vertex_gradients.html", """
-        const [a, b] = document.querySelector("math[display] mfrac").children;
-        return [a.getBoundingClientRect().bottom, b.getBoundingClientRect().top]""")
-    assert above <= below
-
-
 def test_a_figure_takes_keys_and_plays(firefox):
     """A handle does not hear the keys, or a frame is never drawn."""
     assert firefox.run("lectures/00_start_here.html", """

@@ -1,42 +1,42 @@
-"""Players: animations, and pairs of pictures, by mouse and by keys."""
-import io
+"""Players: films, and pairs of pictures, by mouse, by keys and by fingers."""
 import shutil
 
 import numpy as np
 import pytest
 from checks import moved
 from hands import spot, swipe
-from pages import lectures, poster
+from pages import poster
 from PIL import Image
 from playwright.sync_api import expect
-from serving import ROOT, SITE, served
+from serving import PAGES, ROOT, SITE, served, soup
 
 # As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]
 HEAD = ('<!doctype html><html lang="en"><title>t</title><link rel="icon" href="data:,">'
         '<link rel="stylesheet" href="static/players/players.css">'
         '<script type="module" src="static/players/begin.js"></script>')
+FILM = ('<figure class="animation" data-file="film.png" data-frames="3"{}>'
+        '<img src="still.png" alt="grey" width="60" height="40"></figure>')
+PAIR = ('<figure class="before-after">'
+        '<img src="first.png" alt="dark" data-label="dark" width="60" height="40">'
+        '<img src="last.png" alt="light" data-label="light" width="60" height="40"></figure>')
 COUNT_DRAWS = """window.draws = 0;
 const draw = CanvasRenderingContext2D.prototype.drawImage;
 CanvasRenderingContext2D.prototype.drawImage = function (...all) {
   window.draws += 1;
   return draw.apply(this, all);
 };"""
-SHADE = """() => {
-  const canvas = document.querySelector("canvas");
-  return [...canvas.getContext("2d").getImageData(5, 5, 1, 1).data].slice(0, 3);
-}"""
 
 
 def film(path, duration=120):
-    """Write an animation of three grey frames, each of so many milliseconds."""
+    """Write a film of three grey frames, each of so many milliseconds."""
     first, *others = map(Image.fromarray, FRAMES)
     first.save(path, save_all=True, append_images=others, duration=duration)
 
 
 @pytest.fixture
 def place(tmp_path):
-    """A folder with an animation, its still and the players -> a function that serves a page."""
+    """A folder with a film, its still, a pair and the players -> a function that serves a page."""
     film(tmp_path / "film.png")
     (tmp_path / "still.png").write_bytes(poster(Image.open(tmp_path / "film.png")))
     Image.fromarray(FRAMES[0]).save(tmp_path / "first.png")
@@ -51,135 +51,92 @@ def place(tmp_path):
         yield written
 
 
-def animation(more=""):
-    return (f'<figure class="animation" data-file="film.png" data-frames="3" {more}>'
-            '<img src="still.png" alt="grey" width="60" height="40"></figure>')
-
-
-def test_the_still_is_the_first_frame(place, tmp_path):
-    """A film's file begins with what it comes to, so its last frame is the one before the end."""
-    assert np.all(np.asarray(Image.open(tmp_path / "still.png").convert("RGB")) == FRAMES[0])
-
-
-def test_the_slider_shows_a_frame_by_keys(page, place):
-    """At rest the end is shown, and the slider stands at the beginning; or it is one frame off."""
-    page.goto(place(animation()))
-    slider = page.get_by_role("slider")
-    slider.wait_for()
-    assert slider.input_value() == "2"
-    assert slider.get_attribute("aria-valuetext") == "3 of 3"
-    slider.press("ArrowLeft")
+def shade(page):
+    """The shade that the film's canvas shows, once there is one."""
     page.wait_for_selector("canvas")
-    assert slider.get_attribute("aria-valuetext") == "2 of 3"
-    for key, frame in ("Home", 0), ("End", 2):
-        slider.press(key)
-        page.wait_for_function("n => document.querySelector('input').value == n", arg=frame)
-        assert page.evaluate(SHADE) == FRAMES[(frame + 1) % 3][0, 0].tolist()
-        assert slider.get_attribute("aria-valuetext") == f"{frame + 1} of 3"
+    return page.evaluate("""document.querySelector("canvas").getContext("2d")
+        .getImageData(5, 5, 1, 1).data[0]""")
 
 
-def test_it_plays_by_a_finger_and_stops(new_page, place):
-    """It answers to a mouse alone; or it goes on after the pause."""
-    page = new_page(has_touch=True, viewport={"width": 375, "height": 700})
-    page.goto(place(animation()))
-    page.get_by_role("button", name="Play").tap()
-    page.wait_for_function("document.querySelector('input').value == 1")
-    page.get_by_role("button", name="Pause").tap()
-    shown = page.locator("input").input_value()
-    page.wait_for_timeout(400)
-    assert page.locator("input").input_value() == shown
+def test_a_films_still_is_its_end_and_its_slider_has_all_its_frames():
+    """The picture changes when the film begins, or the slider's end is not the film's."""
+    films = [(page, figure) for page in PAGES for figure in soup(page).select(".animation")]
+    assert len(films) > 30
+    for page, figure in films:
+        folder = (SITE / page).parent
+        whole, still = Image.open(folder / figure["data-file"]), Image.open(
+            folder / figure.img["src"])
+        assert int(figure["data-frames"]) == whole.n_frames
+        off = np.abs(np.int16(whole.convert("RGB")) - np.int16(still.convert("RGB")))
+        assert off.mean() < 4, (page, figure["data-file"])  # a still has 256 colours
 
 
-@pytest.mark.parametrize(("motion", "plays"), [("no-preference", True), ("reduce", False)])
-def test_the_front_page_moves_unless_the_reader_asked_for_rest(new_page, place, motion, plays):
-    """Somebody who gets dizzy has said so, and it moves."""
-    page = new_page(reduced_motion=motion)
-    page.goto(place(animation("data-autoplay")))
-    page.get_by_role("button", name="Pause" if plays else "Play").wait_for()
-    if plays:
-        page.wait_for_selector("canvas")
-    else:
-        page.wait_for_timeout(300)
-        assert page.locator("canvas").count() == 0
-
-
-def test_a_browser_that_decodes_no_frames_shows_the_file(page, place):
-    """In an older browser the button does nothing."""
-    page.add_init_script("delete window.ImageDecoder")
-    page.goto(place(animation()))
-    assert page.get_by_role("slider").count() == 0
-    page.get_by_role("button", name="Play").click()
-    assert page.locator("img").get_attribute("src") == "film.png"
-    page.wait_for_function("document.querySelector('img').complete")
-    page.get_by_role("button", name="Pause").click()
-    assert page.locator("img").get_attribute("src").endswith("still.png")
-
-
-def test_quick_pauses_do_not_make_it_faster(page, place):
-    """Each pause and play adds a timer, and after three the film runs four times as fast."""
-    page.add_init_script(COUNT_DRAWS)
-    page.clock.install(time=0)
-    page.goto(place(animation()))
-    page.get_by_role("button", name="Play").click()
-    page.wait_for_selector("canvas")
-    page.clock.pause_at(3_600_000)
-    page.evaluate("for (let k = 0; k < 6; k += 1) document.querySelector('button').click()")
-    page.evaluate("window.draws = 0")
-    page.clock.run_for(1200)  # ten frames of 120 ms
-    assert 8 <= page.evaluate("window.draws") <= 11
-
-
-def test_play_goes_on_at_once(page, place, tmp_path):
-    """The end stays for seconds: the reader has pressed the button, and nothing moves."""
-    film(tmp_path / "film.png", duration=60_000)
-    page.goto(place(animation()))
-    page.get_by_role("button", name="Play").click()
-    page.wait_for_selector("canvas")
-    assert page.evaluate(SHADE) == FRAMES[1][0, 0].tolist()
-
-
-def test_it_rests_while_it_is_out_of_sight(page, place):
-    """A film that was scrolled away warms the reader's lap for an hour; or it never comes back."""
-    page.add_init_script(COUNT_DRAWS)
-    page.goto(place(animation("data-autoplay") + '<p style="height: 5000px">Text.</p>'))
-    page.wait_for_function("window.draws > 3")
-    page.evaluate("""new Promise(done => {
-      scrollTo(0, 3000);
-      new IntersectionObserver(([{ isIntersecting }]) => isIntersecting || setTimeout(done, 200))
-        .observe(document.querySelector("figure"));
-    })""")
-    drawn = page.evaluate("window.draws")
-    page.wait_for_timeout(500)
-    assert page.evaluate("window.draws") == drawn
-    page.evaluate("scrollTo(0, 0)")
-    page.wait_for_function("drawn => window.draws > drawn + 3", arg=drawn)
-
-
-def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
+def test_a_film_is_fetched_once_when_it_is_asked_for_and_shows_the_sliders_frame(page, place):
     """Ten films are loaded with a lecture that nobody has scrolled; each step of the first drag
-    fetches the film; its middle shows another place."""
+    fetches the film; at rest the end is shown, and the slider stands elsewhere.
+    """
     asked = []
     page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
-    page.goto(place(animation()), wait_until="networkidle")
+    page.goto(place(FILM.format("")), wait_until="networkidle")
     assert "still.png" in asked and "film.png" not in asked
     slider = page.get_by_role("slider")
+    assert slider.get_attribute("aria-valuetext") == "3 of 3"
     page.evaluate("""for (const share of [0.1, 0.9, 0.5]) {
       const slider = document.querySelector("input");
       slider.value = share * slider.max;
       slider.dispatchEvent(new Event("input"));
     }""")
-    assert slider.input_value() == "1"
-    page.wait_for_selector("canvas")
-    assert page.evaluate(SHADE) == FRAMES[2][0, 0].tolist()
+    assert shade(page) == 250 and slider.get_attribute("aria-valuetext") == "2 of 3"
+    for key, words, shown in ("Home", "1 of 3", 90), ("End", "3 of 3", 10):
+        slider.press(key)
+        page.wait_for_function("n => document.querySelector('input').ariaValueText === n",
+                               arg=words)
+        assert shade(page) == shown
     assert asked.count("film.png") == 1
+
+
+def test_play_goes_on_at_once_and_quick_pauses_do_not_make_it_faster(page, place, tmp_path):
+    """The end stays for as long as its frame lasts; each pause and play adds a timer."""
+    film(tmp_path / "film.png", duration=60_000)
+    page.add_init_script(COUNT_DRAWS)
+    page.clock.install(time=0)
+    page.goto(place(FILM.format("")))
+    page.get_by_role("button", name="Play").click()
+    assert shade(page) == 90
+    page.clock.pause_at(3_600_000)
+    page.evaluate("for (let k = 0; k < 6; k += 1) document.querySelector('button').click()")
+    page.evaluate("window.draws = 0")
+    page.clock.run_for(600_000)  # ten frames
+    assert 8 <= page.evaluate("window.draws") <= 11
+
+
+def test_a_film_on_its_own_rests_out_of_sight_and_where_the_reader_asked_for_rest(new_page, place):
+    """A film that was scrolled away warms the reader's lap; or somebody gets dizzy."""
+    address = place(FILM.format(" data-autoplay") + '<p style="height: 5000px">Text.</p>')
+    page = new_page()
+    page.add_init_script(COUNT_DRAWS)
+    page.goto(address)
+    page.wait_for_function("window.draws > 3")
+    page.evaluate("scrollTo(0, 3000)")
+    page.wait_for_timeout(500)
+    drawn = page.evaluate("window.draws")
+    page.wait_for_timeout(500)
+    assert page.evaluate("window.draws") == drawn
+    page.evaluate("scrollTo(0, 0)")
+    page.wait_for_function("drawn => window.draws > drawn + 3", arg=drawn)
+    still = new_page(reduced_motion="reduce")
+    still.goto(address)
+    still.get_by_role("button", name="Play").wait_for()
+    assert still.locator("canvas").count() == 0
 
 
 @pytest.mark.parametrize("browsers", ["", "delete window.ImageDecoder"])
 def test_a_film_that_is_not_there_is_told_and_asked_for_again(new_page, place, tmp_path, browsers):
-    """The button says Pause for ever, and nothing moves; or it stops without a word."""
+    """The button says Pause for ever, and nothing moves; or it stops without a word. A browser
+    that decodes no frames shows the file, which plays."""
     page = new_page(missing="film.png")
     page.add_init_script(browsers)
-    page.goto(place(animation()))
+    page.goto(place(FILM.format("")))
     (tmp_path / "film.png").rename(tmp_path / "away.png")
     page.get_by_role("button", name="Play").click()
     page.get_by_text("The film did not load. Press play to try again.").wait_for()
@@ -188,57 +145,24 @@ def test_a_film_that_is_not_there_is_told_and_asked_for_again(new_page, place, t
     (tmp_path / "away.png").rename(tmp_path / "film.png")
     page.get_by_role("button", name="Play").click()
     page.wait_for_selector("img[src='film.png']" if browsers else "canvas")
+    page.get_by_role("button", name="Pause").click()
     assert not page.get_by_text("did not load").count()
 
 
-def test_a_sign_is_drawn_and_not_written(page, place):
-    """A font has no sign for a pause, and an empty box stands there."""
-    page.goto(place(animation()))
-    for name, shapes in ("Play", 1), ("Pause", 2):
-        button = page.get_by_role("button", name=name)
-        assert button.inner_text() == ""
-        shot = Image.open(io.BytesIO(button.screenshot())).convert("L")
-        row = np.asarray(shot)[shot.height // 2, 4:-4] < 128
-        assert np.sum(np.diff(row.astype(int)) == 1) == shapes
-        button.click()
+def line(page):
+    """Where the line of a pair is, in percent of its width."""
+    value = "getComputedStyle(document.querySelector('.pair')).getPropertyValue('--line')"
+    return float(page.evaluate(value).removesuffix("%"))
 
 
-def test_a_lectures_film_says_how_many_frames_it_has(place, tmp_path):
-    """The slider's end is not the film's."""
-    content = (tmp_path / "film.png").read_bytes()
-    shown = lectures.Pictures("02_rasterization", tmp_path).shown(content, "grey", 60)
-    assert 'data-file="pictures/02_00.png" data-frames="3"' in shown
-
-
-def pair():
-    return ('<figure class="before-after">'
-            '<img src="first.png" alt="dark" data-label="dark" width="60" height="40">'
-            '<img src="last.png" alt="light" data-label="light" width="60" height="40"></figure>')
-
-
-def test_the_line_between_two_pictures_moves_by_keys(page, place):
-    """The line is where the slider is not; or only a mouse moves it."""
-    page.goto(place(pair()))
-    slider = page.get_by_role("slider", name="From dark to light")
-    slider.wait_for()
-    assert line(page) == 50
+def test_the_line_between_two_pictures_moves_by_keys_and_by_the_mouse(page, place):
+    """The line is where the slider is not; or only a slider at the picture's foot moves it."""
+    page.goto(place(PAIR))
+    slider, pictures = page.get_by_role("slider", name="From dark to light"), page.locator(".pair")
     slider.press("End")
-    assert line(page) == 100
-    assert slider.get_attribute("aria-valuetext") == "100 % dark"
-    assert shade(page) == 10
-    slider.press("Home")
-    assert shade(page) == 250
-
-
-def test_the_line_is_dragged_anywhere_on_the_picture(page, place):
-    """Only a slider at the picture's foot moves it; or a click ends somewhere else."""
-    page.goto(place(pair()))
-    page.get_by_role("slider").wait_for()
-    pictures = page.locator(".pair")
+    assert line(page) == 100 and slider.get_attribute("aria-valuetext") == "100 % dark"
     page.mouse.move(*spot(pictures, 0.5, 0.25))
     page.mouse.down()
-    page.mouse.move(*spot(pictures, 0.7, 0.25), steps=3)
-    assert line(page) == pytest.approx(70, abs=0.5)
     page.mouse.move(*spot(pictures, 0.2, 0.25), steps=3)
     page.mouse.up()
     page.mouse.move(*spot(pictures, 0.9, 0.25))
@@ -252,7 +176,7 @@ def test_the_line_is_dragged_anywhere_on_the_picture(page, place):
 def test_a_finger_moves_the_line_sideways_and_the_page_up(new_page, place):
     """The picture holds a reader who scrolls past; or the line answers to a mouse alone."""
     page = new_page(has_touch=True, viewport={"width": 375, "height": 600})
-    page.goto(place(pair() + '<p style="height: 2000px">Text.</p>'))
+    page.goto(place(PAIR + '<p style="height: 2000px">Text.</p>'))
     page.get_by_role("slider").wait_for()
     x, y = spot(page.locator(".pair"), 0.5, 0.25)
     swipe(page, ((x, y), (spot(page.locator(".pair"), 0.25)[0], y + 5)))
@@ -263,40 +187,20 @@ def test_a_finger_moves_the_line_sideways_and_the_page_up(new_page, place):
     page.wait_for_function("scrollY > 0 && document.querySelector('input').value < 27")
 
 
-def line(page):
-    """Where the line is, in percent of the pair's width."""
-    value = "getComputedStyle(document.querySelector('.pair')).getPropertyValue('--line')"
-    return float(page.evaluate(value).removesuffix("%"))
-
-
-def shade(page):
-    """The shade in the middle of the pair, as it is seen."""
-    shot = Image.open(io.BytesIO(page.locator(".pair").screenshot())).convert("L")
-    return shot.getpixel((shot.width // 2, shot.height // 2))
-
-
 @pytest.mark.parametrize("width", [375, 1280])
 def test_nothing_moves_when_a_player_starts(new_page, place, width):
     """The text below jumps when the buttons come."""
     page = new_page(viewport={"width": width, "height": 800})
-    page.goto(place(f"{animation()}<p>Between.</p>{pair()}<p>Below.</p>"), wait_until="networkidle")
+    page.goto(place(f"{FILM.format('')}<p>Between.</p>{PAIR}<p>Below.</p>"),
+              wait_until="networkidle")
     expect(page.locator("input")).to_have_count(2)
     assert moved(page) == []
 
 
 def test_from_disk_both_pictures_of_a_pair_stand_there(browser, place, tmp_path):
     """Browsers start no modules from files: the second picture waits for a script for ever."""
-    place(pair() + '<script src="static/scrolling.js"></script>')
+    place(PAIR + '<script src="static/scrolling.js"></script>')
     page = browser.new_page()
     page.goto((tmp_path / "page.html").as_uri())
     assert page.locator("img:visible").count() == 2
     page.close()
-
-
-def test_the_samples_of_a_pixel_can_be_seen():
-    """Two bunnies with outlines a pixel wide: the line moves, and nothing seems to change."""
-    one, many = (np.asarray(Image.open(SITE / "pairs" / f"samples_{name}.png"))
-                 for name in ("1x", "16x"))
-    assert one.shape == many.shape == (512, 512, 3)
-    assert np.mean(np.abs(one.astype(int) - many).max(2) > 30) > 0.01
-    assert np.array_equal(one, one[4::8, 4::8].repeat(8, 0).repeat(8, 1))

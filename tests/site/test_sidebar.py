@@ -1,6 +1,5 @@
 """The list of all pages: it shows where the reader is, and what belongs to it."""
 import pytest
-from pages import sidebar
 from serving import soup
 
 HERE = """() => {
@@ -39,11 +38,3 @@ def test_next_leads_to_the_next_of_its_kind(name, before, after):
     """Who reads the lectures in their order is sent through the code of each."""
     leads = [soup(f"{name}.html").select_one(f".{way}-page")["href"] for way in ("prev", "next")]
     assert leads == [f"{before}.html", f"{after}.html"]
-
-
-def test_a_theme_that_has_changed_is_not_mended_in_silence():
-    """The margins have no names any more, and only a screen reader says so."""
-    change = "<aside", '<aside aria-label="All pages"'
-    assert sidebar.mended("<aside>", [change]) == '<aside aria-label="All pages">'
-    with pytest.raises(ValueError, match="no longer"):
-        sidebar.mended("<nav>", [change])

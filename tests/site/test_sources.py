@@ -157,13 +157,6 @@ def test_a_table_of_equations_is_folded_where_all_of_it_is_typeset():
     assert not folded & {"reference.arrays", "reference.received_light", "course.given.sweeps"}
 
 
-def test_a_number_without_an_exercise_says_what_is_given_there():
-    """A reader looks for 8.4, and the page says nothing."""
-    page = labs.page(sources_course.read(), 8)
-    assert ('<span id="exercise-8-4">8.4</span> (<a href="../reference/antialiasing.html'
-            '#reference.antialiasing.owner_and_other">') in page
-
-
 @pytest.mark.parametrize("lab", LABS)
 def test_a_lab_has_all_its_questions_and_no_answer(lab):
     """An exercise is not on its page, or its answer is."""

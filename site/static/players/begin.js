@@ -2,7 +2,6 @@
 const PLAYERS = {
   "figure.animation": "./animation.js",
   "figure.before-after": "./before_after.js",
-  "figure.orbit": "./orbit.js",
 };
 
 for (const [selector, module] of Object.entries(PLAYERS)) {

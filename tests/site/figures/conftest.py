@@ -1,4 +1,5 @@
 """Pages with one figure each, its formulas, and its numbers as they are shown."""
+import itertools
 import json
 import shutil
 
@@ -7,26 +8,17 @@ import pytest
 from reading import NAMES, SOURCE, opened
 from serving import SITE, served
 
-PAGE = """<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>{name}</title>
-<link rel="icon" href="data:,">
+PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{name}</title>
+<meta name="viewport" content="width=device-width"><link rel="icon" href="data:,">
 <link rel="stylesheet" href="figures/figures.css">
-<style>
-  body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
-          margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
-  body[data-theme="dark"] {{ --color-foreground-primary: #cfd0d0; background: #131416;
-                             --color-foreground-secondary: #9ca0a5; }}
-  main {{ max-width: 46em; margin: auto; padding: 1em; }}
-</style>
+<style>body {{ --color-foreground-primary: light-dark(#000, #cfd0d0); margin: 0;
+               --color-foreground-secondary: light-dark(#5a5c63, #9ca0a5);
+               color: var(--color-foreground-primary); font-family: sans-serif; }}
+body[data-theme="dark"] {{ color-scheme: dark; background: #131416; }}
+main {{ max-width: 46em; margin: auto; padding: 1em; }}</style>
 <body data-theme="light">
 <main><h1>Above</h1><div class="answers" data-figure="{name}"></div><p>Below</p></main>
-<script type="module" src="figures/begin.js"></script>
-</body>
-</html>
-"""
+<script type="module" src="figures/begin.js"></script>"""
 
 
 @pytest.fixture(scope="session")
@@ -43,11 +35,16 @@ def address(tmp_path_factory):
 
 @pytest.fixture
 def call(page, address):
-    """call(module, function, inputs): the function's results for many lists of arguments."""
+    """call(module, function, *columns): what it returns for each row of arguments. A number is the
+    same in all rows.
+    """
     opened(page, address, "alias")
 
-    def called(module, function, inputs):
-        inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy
+    def called(module, function, *columns):
+        count = next(len(column) for column in columns if not np.isscalar(column))
+        rows = zip(*(itertools.repeat(column, count) if np.isscalar(column) else column
+                     for column in columns), strict=False)
+        inputs = json.loads(json.dumps(list(rows), default=lambda x: x.tolist()))  # of NumPy
         return page.evaluate("""async ([module, name, inputs]) => {
             const functions = await import(`/figures/${module}.js`);
             const results = inputs.map((x) => functions[name](...x));
@@ -58,8 +55,8 @@ def call(page, address):
 
 @pytest.fixture
 def agrees(call):
-    """agrees(module, function, inputs, wanted): the function's results are the reference's."""
-    def compare(module, function, inputs, wanted):
-        found = np.reshape(call(module, function, inputs), np.shape(wanted))
+    """agrees(module, function, wanted, *columns): the function's results are the reference's."""
+    def compare(module, function, wanted, *columns):
+        found = np.reshape(call(module, function, *columns), np.shape(wanted))
         np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-9)
     return compare

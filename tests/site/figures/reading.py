@@ -4,9 +4,13 @@ import re
 from serving import ROOT
 
 SOURCE = ROOT / "site" / "static" / "figures"
-MINUS = "\N{MINUS SIGN}"
 NAMES = sorted(path.stem for path in SOURCE.glob("*.js")
                if "export function show(" in path.read_text(encoding="utf-8"))
+
+
+def each(function, *columns):
+    """The function's results, a call for each row."""
+    return [function(*row) for row in zip(*columns, strict=True)]
 
 
 def opened(page, address, name):
@@ -23,14 +27,10 @@ def settled(page):
 
 def numbers(text):
     """The numbers in a text of the page."""
-    return [float(found) for found in re.findall(r"-?\d+(?:\.\d+)?", text.replace(MINUS, "-"))]
+    minus = "\N{MINUS SIGN}"
+    return [float(found) for found in re.findall(r"-?\d+(?:\.\d+)?", text.replace(minus, "-"))]
 
 
 def point_of(handle):
     """Where a handle says that it is."""
     return numbers(handle.get_attribute("aria-valuetext"))
-
-
-def verdict(page):
-    """What the figure answers to what was done."""
-    return settled(page).inner_text(".verdict")

@@ -34,24 +34,46 @@ def test_a_figure_is_for_all_readers(page, address, name):
         assert barriers(page) == [], theme
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES
-                                  if "Reset" in (SOURCE / f"{name}.js").read_text()])
-def test_reset_brings_all_back(page, address, name):
-    """A tick, a slider or the chosen pixel stays: the text is of another picture."""
-    def seen():
-        return settled(page).locator(".pane").evaluate("""(pane) => [pane.textContent,
-            ...[...pane.querySelectorAll("input")].map((one) => [one.value, one.checked]),
-            ...[...pane.querySelectorAll(".sheet svg")].map((one) => one.innerHTML)]""")
+def seen(page):
+    """What a figure shows above its pictures: its words, its settings, its drawing."""
+    return settled(page).locator(".pane").evaluate("""(pane) => [pane.textContent,
+        ...[...pane.querySelectorAll("input")].map((one) => [one.value, one.checked]),
+        ...[...pane.querySelectorAll(".sheet svg")].map((one) => one.innerHTML)]""")
 
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_moved_is_drawn_and_reset_brings_all_back(page, address, name):
+    """A handle or a slider does nothing; or after Reset the text is of another picture."""
     opened(page, address, name)
-    before = seen()
-    for one in page.locator(".handle, input[type=range]:visible").all():
-        one.press("ArrowRight")
-    for tick in page.locator("input[type=checkbox]").all():
-        tick.click()
-    assert seen() != before
-    page.get_by_role("button", name="Reset").click()
-    assert seen() == before
+    page.wait_for_load_state("networkidle")
+    first = seen(page)
+    for one in page.locator(".handle, input:visible").all():
+        before = seen(page)
+        one.click() if one.get_attribute("type") == "checkbox" else one.press("ArrowRight")
+        assert seen(page) != before
+    reset = page.get_by_role("button", name="Reset")
+    if reset.count():
+        reset.click()
+        assert seen(page) == first
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if any(
+    player in (SOURCE / f"{name}.js").read_text() for player in ("player(", "playAndReset("))])
+def test_play_moves_and_pause_rests(page, address, name):
+    """The button does nothing, or what it has begun never ends."""
+    opened(page, address, name)
+    page.wait_for_load_state("networkidle")
+    pictures = "[...document.querySelectorAll('canvas')].map((one) => one.toDataURL())"
+    before = seen(page), page.evaluate(pictures)
+    page.locator("button:text-matches('^(Play|Walk)$')").click()
+    for _ in range(6):
+        settled(page)
+    page.get_by_role("button", name="Pause").click()
+    rests = seen(page)
+    assert (rests, page.evaluate(pictures)) != before
+    for _ in range(6):
+        settled(page)
+    assert seen(page) == rests
 
 
 @pytest.mark.parametrize("path", sorted(SOURCE.iterdir()), ids=lambda path: path.name)

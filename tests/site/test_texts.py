@@ -1,4 +1,4 @@
-"""The benchmarks' page, and the texts beside it: guide, errata, glossary and bibliography."""
+"""The texts beside lectures and labs: benchmarks, guide, errata, glossary and bibliography."""
 import ast
 import html
 import json
@@ -10,39 +10,28 @@ from serving import ROOT
 
 from course import exercises
 
-RESULTS = {path.stem: json.loads(path.read_text("utf-8"))
-           for path in sorted((ROOT / "benchmarks" / "results").glob("*.json"))}
 BIBLIOGRAPHY = (ROOT / "site" / "texts" / "bibliography.md").read_text("utf-8")
 GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
 
 
-def tables(text):
-    """The tables below a text's headings, in their order: {(line, column): cell} of each."""
-    found = []
-    for part in re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE):
-        (_, *columns), _, *lines = [line.strip("| ").split(" | ") for line in part.splitlines()]
-        found.append({(line[0], column): cell for line in lines
-                      for column, cell in zip(columns, line[1:], strict=True)})
-    return found
-
-
-# The benchmarks
-
-
 def test_each_cell_of_a_table_is_the_number_of_its_result():
-    """A number is typed, or stands in its neighbour's line or column."""
-    both = [row for row in RESULTS["peers"]["milliseconds"] if row["work"] == "both ways"]
-    wanted = (("faces", 9, RESULTS["pipeline"]["medians in ms"]["faces"]),
-              ("faces", 4, [row for row in both if row["pixels"] == 512**2]),
-              ("pixels", 4, [row for row in both if row["faces"] == 10_580]))
-    for shown, (key, count, rows) in zip(tables(benchmarks.numbers(RESULTS)), wanted, strict=True):
-        by_column = {f"{row[key]:,}": row for row in rows}
-        assert len(shown) == count * len(rows) > 10
-        assert {place: float(cell) for place, cell in shown.items()} == {
-            (name, column): pytest.approx(by_column[column][name], rel=6e-3)
-            for name, column in shown}
+    """A number stands in its neighbour's line or column."""
+    pipeline, peers = (json.loads((ROOT / "benchmarks" / "results" / f"{name}.json").read_text())
+                       for name in ("pipeline", "peers"))
+    stages = {row["faces"]: row for row in pipeline["medians in ms"]["faces"]}
+    both = {row["faces"]: row for row in peers["milliseconds"]
+            if row["work"] == "both ways" and row["pixels"] == 512**2}
+    shown = re.findall(r"^\| ([^-].*?) \|$", benchmarks.tables(pipeline, peers), re.MULTILINE)
+    for known, count in (stages, 9), (both, 4):
+        (_, *faces), *lines = (line.split(" | ") for line in shown[:count + 1])
+        shown = shown[count + 1:]
+        for name, *cells in lines:
+            wanted = [known[int(column.replace(",", ""))][name] for column in faces]
+            found = [float(cell.replace(",", "")) for cell in cells]
+            assert found == pytest.approx(wanted, rel=6e-3)
+    assert shown == []
 
 
 def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):

@@ -1,0 +1,321 @@
+"""The figures of lectures 11 to 17 compute what the reference computes."""
+import itertools
+
+import numpy as np
+from pages import waves
+
+from course.experiments.scenes.demo import Labs
+from course.given import mesh, ray_casting
+from reference import (
+    implicit_surfaces,
+    kernels,
+    lights,
+    loop_subdivision,
+    marching_tetrahedra,
+    multi_view_fit,
+    pipeline,
+    reconstruction,
+    regularization,
+    shadow_mapping,
+    simplification,
+    transforms,
+)
+
+# Lecture 11: the limit surface
+
+
+def test_a_step_of_loop_and_the_limits(call):
+    """An edge's two opposite corners are mixed up, or the limit has the weights of a step."""
+    tetrahedron = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    for vertices, faces in mesh.torus(64), (np.eye(4), tetrahedron):
+        vertices = vertices + np.random.default_rng(11).normal(size=vertices.shape)
+        found, = call("limit_surface", "loopSurface", [vertices], [faces], 2)
+        wanted, fine = loop_subdivision.loop_surface(vertices, faces, 2)
+        ours = np.array(found["vertices"])[np.array(found["faces"])].mean(1)
+        theirs = wanted[fine].mean(1)
+        np.testing.assert_allclose(ours[np.lexsort(ours.round(7).T)],
+                                   theirs[np.lexsort(theirs.round(7).T)], atol=1e-9)
+
+
+# Lecture 12: the outline that loses points. A quadric of the plane is one of space with z = 0
+
+
+def in_space(quadrics):
+    """The six numbers of quadrics of the plane (N, 6) as the reference's matrices (N, 4, 4)."""
+    xx, xy, yy, xd, yd, dd = np.transpose(quadrics)
+    none = 0 * xx
+    return np.moveaxis(np.array([[xx, xy, none, xd], [xy, yy, none, yd], [none] * 4,
+                                 [xd, yd, none, dd]]), -1, 0)
+
+
+def test_quadrics_and_best_places(call, agrees):
+    """The normal points along the line, b has the other sign, or a length is forgotten."""
+    a, b, x = np.random.default_rng(12).normal(size=(3, 60, 2))
+    quadrics = np.array(call("collapse", "lineQuadric", a, b))
+    step, length = b - a, np.linalg.norm(b - a, axis=1)
+    n = np.stack([step[:, 1], -step[:, 0]], -1) / length[:, None]
+    planes = np.column_stack([n, np.zeros(60), -(n * a).sum(1)])
+    wanted = length[:, None, None] * simplification.plane_quadrics(planes)
+    np.testing.assert_allclose(in_space(quadrics), wanted, atol=1e-9)
+    sums = quadrics[:30] + quadrics[30:]
+    a, b, x = (np.insert(part[:30], 2, 0, axis=1) for part in (a, b, x))
+    agrees("collapse", "quadricError", simplification.quadric_error(in_space(sums), x),
+           sums, x[:, :2])
+    found = call("collapse", "bestAnywhere", sums)
+    steep = [n for n, place in enumerate(found) if place]
+    assert 20 < len(steep) < 30
+    best = simplification.best_anywhere(in_space(sums[steep]) + np.diag([0, 0, 1, 0]))
+    np.testing.assert_allclose([found[n] for n in steep], best[:, :2], atol=1e-9)
+    agrees("collapse", "bestOnSegment",
+           simplification.best_on_segment(in_space(sums), a, b)[0][:, :2],
+           sums, a[:, :2], b[:, :2])
+
+
+def test_points_on_straight_lines_go_first(call):
+    """An edge at a corner is collapsed, although one on a side costs nothing."""
+    square = np.array([(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (4, 3), (4, 4), (2, 4), (0, 4),
+                       (0, 2)], float)
+    states, = call("collapse", "simplify", [square])
+    assert [len(state["points"]) for state in states] == [10, 9, 8]
+    for state in states:
+        assert {(0, 0), (4, 0), (4, 4), (0, 4)} <= {tuple(np.round(point, 9))
+                                                    for point in state["points"]}
+
+
+# Lecture 13: the bunny's waves
+
+
+def laplacian_of(faces, vertex_count):
+    """L (V, V) with weights 1, and the masses: the valences (V,)."""
+    edges, _ = mesh.edges(faces)
+    L = regularization.laplacian(edges, np.ones(len(edges)), vertex_count)
+    return L.toarray(), np.bincount(edges.ravel()).astype(float)
+
+
+def test_the_file_has_the_bunnys_waves_slow_ones_first(page, address):
+    """The browser reads rows as columns, or the waves are those of another mass."""
+    page.goto(f"{address}/alias.html")
+    found = page.evaluate("""async () => {
+        const { unpacked } = await import("/figures/bunny_waves.js");
+        const bunny = unpacked(await (await fetch("/waves/bunny.bin")).arrayBuffer());
+        return { ...bunny, waves: [...bunny.waves] };
+    }""")
+    rows = np.reshape(found["waves"], (found["count"], -1))
+    L, mass = laplacian_of(np.array(found["faces"]), len(rows))
+    mu = np.diag(rows @ L @ rows.T)
+    assert len(found["faces"]) == 700 and (np.diff(mu) > -1e-3).all()
+    np.testing.assert_allclose(rows @ (mass[:, None] * rows.T), np.eye(len(rows)), atol=2e-3)
+    np.testing.assert_allclose(rows @ L, mu[:, None] * mass * rows, atol=2e-3)
+
+
+def test_the_sums_of_waves_and_what_is_left(call, agrees):
+    """One wave too many is added, or the squares lack their masses."""
+    ball, faces = mesh.icosphere(80)
+    vertices = ball * np.random.default_rng(13).uniform(0.5, 2, (len(ball), 1))
+    found, shares = waves.waves_of(Labs("reference"), vertices, faces)
+    mass = laplacian_of(faces, len(vertices))[1]
+    surface = {"count": len(vertices), "waves": found.T.ravel(), "shares": shares.ravel()}
+    counts = range(1, len(vertices) + 1)
+    wanted = [found[:, :k] @ shares[:k] for k in counts]
+    agrees("bunny_waves", "sumOfWaves", wanted, [surface] * len(counts), counts)
+    np.testing.assert_allclose(wanted[-1], vertices, atol=1e-9)
+    strengths = call("bunny_waves", "strengths", [surface]) * len(counts)
+    squares = ((np.array(wanted) - vertices) ** 2).sum(-1)
+    agrees("bunny_waves", "distanceLeft", np.sqrt(squares @ mass / mass.sum()),
+           strengths, mass.sum(), counts)
+
+
+# Lecture 14: flatland's (x, y) is (x, 0, y) of the world: the light's x axis then lies in it
+
+SCENE = np.array([[0, 0], [5, 0], [5, 1.8], [5.12, 1.8], [5.12, 0], [12, 0]])
+PLACES = np.random.default_rng(14).uniform([0.3, 2.6], [11.7, 4], (20, 2))
+
+
+def in_world(points, y=0.0):
+    return np.insert(np.asarray(points, float), 1, y, axis=-1)
+
+
+def in_flatland(light):
+    return {"position": light.position[::2].tolist(), "c00": light.clip_from_light[0, 0],
+            "rotation": light.rotation[::2, ::2].tolist()}
+
+
+def light_at(place):
+    """The reference's light at a place of flatland. Its cone holds the scene's directions, from
+    a place so near that the reference refuses the scene.
+    """
+    to = SCENE - place
+    light = lights.point_light(in_world(place),
+                               in_world(place + to / np.linalg.norm(to, axis=1)[:, None]))
+    angle = 2 * np.arctan(1 / light.clip_from_light[0, 0])
+    return light._replace(clip_from_light=transforms.perspective(angle, 1.0, 0.1, 20.0))
+
+
+def strips():
+    """The scene, drawn out along the world's y: vertices (V, 3), faces (F, 3)."""
+    n, k = len(SCENE), np.arange(len(SCENE) - 1)
+    return (np.concatenate([in_world(SCENE, -3), in_world(SCENE, 3)]),
+            np.concatenate([np.stack([k, k + 1, k + n + 1], 1),
+                            np.stack([k, k + n + 1, k + n], 1)]))
+
+
+def test_the_light_and_its_map(call, agrees):
+    """The axis is not in the middle of what is seen, or a texel holds the farthest depth."""
+    made = [light_at(place) for place in PLACES]
+    found = call("flatland_shadow", "pointLight", PLACES, [SCENE] * 20)
+    for ours, light in zip(found, made, strict=True):
+        for name, value in in_flatland(light).items():
+            np.testing.assert_allclose(ours[name], value, atol=1e-9)
+    agrees("flatland_shadow", "depthMap",
+           [shadow_mapping.depth_map(*strips(), light, 25)[12] for light in made],
+           [SCENE] * 20, [in_flatland(light) for light in made], 25)
+
+
+def test_acne_and_leaks_are_where_the_reference_has_them(call):
+    """The truth is the map's, the slope is that of the wall, or a place beside the map is read."""
+    x = np.concatenate([np.linspace(0.011, 4.97, 200), np.linspace(5.151, 11.97, 300)])
+    ground, up = np.stack([x, 0 * x], 1), np.tile([0.0, 0.0, 1.0], (len(x), 1))
+    seen = set()
+    for place, bias in itertools.product(PLACES[:6], ((0, 0), (0.15, 0), (0.7, 0), (0.02, 1))):
+        light = light_at(place)
+        row = shadow_mapping.depth_map(*strips(), light, 18)[9]
+        found, = call("flatland_shadow", "shadowOf", [ground], [in_flatland(light)], [row], *bias)
+        lit = shadow_mapping.hard_shadow(in_world(ground), up, light, np.tile(row, (18, 1)), *bias)
+        truth = ray_casting.ray_cast(in_world(ground), *strips(), light)
+        wanted = np.where(lit, np.where(truth, "lit", "leak"), np.where(truth, "acne", "dark"))
+        assert [one["kind"] for one in found] == wanted.tolist()
+        seen |= set(wanted)
+    assert seen == {"lit", "dark", "acne", "leak"}
+
+
+# Lecture 15: the grid of signs
+
+
+def test_the_ring_and_the_crossings(agrees):
+    """The crossing is nearer to the wrong end, or its gradient has the other's sign."""
+    rng = np.random.default_rng(15)
+    points = rng.normal(size=(50, 2))
+    agrees("sign_grid", "torus",
+           implicit_surfaces.torus(np.insert(points, 2, 0, axis=1), 0.7, 0.3), points, 0.7, 0.3)
+    p_a, p_b, grad_p = rng.normal(size=(3, 50, 3))
+    ends = p_a, p_b, -rng.uniform(0.1, 1, 50), rng.uniform(0, 1, 50)
+    agrees("sign_grid", "zeroCrossing", marching_tetrahedra.zero_crossing(*ends), *ends)
+    wanted = marching_tetrahedra.zero_crossing_backward(grad_p, *ends)[2:]
+    agrees("sign_grid", "zeroCrossingBackward", np.transpose(wanted), grad_p, *ends)
+
+
+def test_the_outline_is_closed_and_its_areas_gradient_is_that_of_its_area(call):
+    """A case of a triangle is turned, or the two segments of a vertex pull in opposite directions.
+    """
+    def area(points):
+        (x, y), (ahead_x, ahead_y) = points[begins].T, points[ends].T
+        return ((x * ahead_y - y * ahead_x) / 2).sum()
+
+    grid = np.ones((17, 25))
+    grid[1:-1, 1:-1] = np.random.default_rng(3).normal(size=(15, 23))
+    found, = call("sign_grid", "marchingTriangles", [grid.ravel()])
+    begins, ends = np.transpose(found["segments"])
+    points = np.array([vertex["p"] for vertex in found["vertices"]])
+    every = np.arange(len(points))
+    assert len(points) > 300 and 0 < area(points) < 24 * 16 / 64
+    assert (np.sort(begins) == every).all() and (np.sort(ends) == every).all()
+    gradient, = call("sign_grid", "areaBackward", [found["vertices"]], [found["segments"]])
+    step = np.random.default_rng(4).normal(size=points.shape)
+    change = (area(points + 1e-4 * step) - area(points - 1e-4 * step)) / 2e-4
+    assert np.isclose((gradient * step).sum(), change, atol=1e-9)
+
+
+# Lecture 16: a camera in the plane, and what its row of pixels pulls
+
+PIXELS, PIXEL, EYE, TO_STRIP = 20, 0.086, -1.3, 1.1
+AROUND = np.array([[0, 1], [1, 2], [2, 0]])
+
+
+def two_triangles(rng):
+    """Counter-clockwise, apart or one in front of the other: vertices (6, 2), segments (6, 2)."""
+    turns = np.array([0, 2, 4]) + rng.uniform(0, 1.5, (2, 3))
+    corners = rng.uniform(0.25, 0.5, (2, 3, 1)) * np.stack([np.cos(turns), np.sin(turns)], -1)
+    middles = rng.uniform([[-0.6, 0.2], [0.1, 0.5]], [[-0.1, 0.5], [0.6, 0.9]])
+    return (middles[:, None] + corners).reshape(6, 2), np.concatenate([AROUND, AROUND + 3])
+
+
+def prism(vertices, segments):
+    """Both outlines, as walls along z -> pipeline.Mesh with the vertices at z = -1, then at 1."""
+    count = len(vertices)
+    i, j = segments.T
+    walls = np.concatenate([np.stack([i, j, j + count], 1), np.stack([i, j + count, i + count], 1)])
+    return pipeline.make_mesh(np.concatenate([np.insert(vertices, 2, z, axis=1)
+                                              for z in (-1, 1)]), walls)
+
+
+def target_of(outside):
+    """The row of pixels, as a picture of the reference, and its camera, which looks along y."""
+    wide = TO_STRIP / (PIXELS * PIXEL / 2)
+    camera = np.array([[wide, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, -EYE - 0.1], [0, 1, 0, -EYE]])
+    return multi_view_fit.Target(np.zeros((1, PIXELS, 4)),
+                                 pipeline.View(camera, PIXELS, 1, np.zeros(4)), 1, outside)
+
+
+def owners_have_outlines(segments, found):
+    """Does each outline end the triangle that its owner sees? The reference looks no farther, and
+    a wall's triangles meet in its middle.
+    """
+    for outline in found["outlines"]:
+        pixel, right = outline["pixel"], outline["side"] == 1
+        hit = found["hits"][pixel] or found["hits"][pixel - outline["side"]]
+        if outline["vertex"] != segments[hit["segment"], int(right)] or (hit["u"] > 0.5) != right:
+            return False
+    return True
+
+
+def test_the_row_of_pixels_and_its_gradients(call):
+    """An outline moves to the wrong side, a hidden face is seen, or carving has other weights."""
+    rng = np.random.default_rng(16)
+    scenes = [two_triangles(rng) for _ in range(30)]
+    given = [[{"p": p} for p in vertices.tolist()] for vertices, _ in scenes]
+    rows = call("carving", "render", given, [segments for _, segments in scenes])
+    cases = [case for case in zip(given, scenes, rows, strict=True)
+             if owners_have_outlines(case[1][1], case[2])]
+    assert len(cases) > 10
+    for points, (vertices, segments), found in cases:
+        outside = rng.random((1, PIXELS)) < 0.5
+        target, shape = target_of(outside), prism(vertices, segments)
+        colours = np.zeros((len(shape.positions), 3))
+        pictures, buffers = multi_view_fit.render_views(shape, colours, [target])
+        np.testing.assert_allclose(found["coverage"], pictures[0, 0, :, 3], atol=1e-9)
+        grad = rng.normal(size=pictures.shape)
+        grad_positions, _, grad_level = multi_view_fit.render_views_backward(
+            grad, buffers, shape, colours, [target])
+        moved, = call("carving", "coverageBackward", [grad[0, 0, :, 3]], [found["outlines"]],
+                      [points])
+        np.testing.assert_allclose(moved, grad_positions.reshape(2, 6, 3).sum(0)[:, :2], atol=1e-9)
+        carved, = call("carving", "carvingBackward", 1, [np.flatnonzero(outside)], [found["hits"]],
+                       [segments], 6)
+        np.testing.assert_allclose(carved, grad_level.reshape(2, 6).sum(0), atol=1e-9)
+
+
+def test_what_is_outside_and_the_level(call):
+    """The row's ends count as covered, or t is counted from the other end."""
+    rng = np.random.default_rng(6)
+    rows = np.where(rng.random((40, PIXELS)) < 0.7, 0, rng.random((40, PIXELS)))
+    wanted = [multi_view_fit.is_outside(row[None, :, None] * np.ones(4))[0] for row in rows]
+    np.testing.assert_array_equal(call("carving", "isOutside", rows), wanted)
+    distance = np.concatenate([-rng.random(10), rng.random(9), [0.0]])
+    ends = np.stack([rng.integers(0, 10, 30), rng.integers(10, 20, 30)], 1)
+    grad = rng.normal(size=30)
+    np.testing.assert_allclose(call("carving", "levelBackward", [grad], [ends], [distance])[0],
+                               reconstruction.level_backward(grad, ends, distance), atol=1e-9)
+
+
+# Lecture 17: two threads and one pixel
+
+
+def test_every_schedule_ends_as_the_references(call):
+    """A thread writes what it should only have read, or compares with what is there by now."""
+    face, depth = [7, 8, 9], [0.5, 0.25, 0.75]
+    schedules = sorted(set(itertools.permutations([0, 0, 1, 1, 2, 2])))
+    count = len(schedules)
+    found = call("race", "race", [face] * count, [depth] * count, schedules)
+    wanted = [kernels.race(np.array(face), np.array(depth), np.array(s)) for s in schedules]
+    assert [(steps[-1]["seen"], steps[-1]["nearest"]) for steps in found] == wanted
+    assert len(set(wanted)) == 3
