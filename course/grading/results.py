@@ -4,7 +4,6 @@
                         pictures/ of the report
     DIR/grades.csv      points for each exercise
     DIR/index.html      the overview
-    DIR/similar.html    answers that are alike, for a person to judge; similar.csv has them as well
     DIR/code/           what was handed in, for programs that look for copies
     DIR/feedback.zip    the reports, to give back
 """
@@ -12,13 +11,12 @@ import json
 import shutil
 from typing import NamedTuple
 
-from .. import exercises
 from ..given import places
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
 from .handing import texts
-from .pages import overview, report, side_by_side, similarity, unusual
+from .pages import overview, report, unusual
 
 
 class Run(NamedTuple):
@@ -38,7 +36,7 @@ class Results:
         self.out, self.book, self.run = out, book, run
         self.records = {}
         self.other_work = []   # sentences on work that takes the place of an earlier run's
-        self.looked_at = None  # overview.LookedAt, once all are there
+        self.unusual = ()      # of `unusual.by_student`, once all are there
 
     def forget(self, students):
         """Remove what earlier runs left of those who have no row any more."""
@@ -104,7 +102,7 @@ class Results:
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
         page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
-                                 self.run.not_understood, self.looked_at,
+                                 self.run.not_understood, self.unusual,
                                  len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
         return table
@@ -112,16 +110,8 @@ class Results:
     def close(self) -> list:
         """Write what needs all results -> the paths of all tables."""
         files = self.book.write(self.out, self.records, self.write_tables())
-        self.look_at(texts.kept(self.out, self.book.handed_in.values()))
+        self.unusual = unusual.by_student(texts.kept(self.out, self.book.handed_in.values()))
         self.write_tables()
         handback.write(self.out, [self.records[name] for name in sorted(self.records)])
-        names = "grades.csv", "index.html", "similar.html", "feedback.zip"
+        names = "grades.csv", "index.html", "feedback.zip"
         return [*(self.out / name for name in names), *files]
-
-    def look_at(self, labs):
-        """Write the pages on what is alike. labs: as `texts.kept` has them."""
-        asked = {topic: [one for one in exercises.topic_exercises(topic) if one in self.run.columns]
-                 for topic in set().union(*labs.values()).intersection(exercises.TOPICS)}
-        pairs, near = similarity.compare(labs, asked)
-        side_by_side.write(self.out, pairs, labs)
-        self.looked_at = overview.LookedAt(pairs, unusual.by_student(labs, asked, near))
