@@ -167,15 +167,12 @@ def solutions(asked):
 
 
 @command(
-    option("kind", choices=("gradescope", "github")),
-    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub"),
+    option("file", metavar="FILE", help="the zip's name"),
     GRADED)
 def autograder(asked):
-    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
+    """Write the zip that Gradescope takes as an assignment's autograder."""
     import course.grading.autograder
-    if asked.kind == "github":
-        return course.grading.autograder.github(asked.path)
-    return course.grading.autograder.gradescope(asked.path, asked.labs)
+    return course.grading.autograder.gradescope(asked.file, asked.labs)
 
 
 @command(
@@ -191,7 +188,6 @@ def autograder(asked):
            help="what all random inputs are made from; without, it is drawn, and secret"),
     option("--isolation", choices=("strict", "process"),
            help="strict needs Linux with bubblewrap; process is for work that you trust"),
-    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster"),
     option("--seconds", type=float, metavar="S", help="the most that a call may take; without, 10"),
     option("--extra", action="store_true", default=None,
            help="extras count, too: they were handed out open"),

@@ -28,7 +28,6 @@ class Request(NamedTuple):
     resume: bool = False
     seed: int | None = None
     isolation: str | None = None
-    scheduler: str | None = None
     seconds: float | None = None  # the most that a call may take; None: that of sandbox.Limits
     extra: bool | None = None    # extras count as well: fair where they were handed out open
     drop: str = ""               # names of options, to be forgotten

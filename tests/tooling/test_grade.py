@@ -1,4 +1,4 @@
-"""Grading a class: tables and reports, what is kept, what a student is told, other runners."""
+"""Grading a class: tables and reports, what is kept, what a student is told, Gradescope."""
 import json
 import shutil
 import subprocess
@@ -212,7 +212,7 @@ def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_mod
     (course / missing).unlink()
     hand_in(tmp_path, ada=LAB)
     for command in (("grade", tmp_path / "in", "--out", tmp_path / "out"),
-                    ("autograder", "gradescope", tmp_path / "out")):
+                    ("autograder", tmp_path / "out")):
         done = run_module(course, "course", *command)
         assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
         assert f"{missing} is not in this copy of the course" in done.stderr
@@ -270,7 +270,7 @@ def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     """A file is missing in the zip, or a folder of data stops it. Or the result is written
     elsewhere; a score that is no sum, a status that Gradescope does not know.
     """
-    done = run_module(course, "course", "autograder", "gradescope", tmp_path / "a.zip")
+    done = run_module(course, "course", "autograder", tmp_path / "a.zip")
     assert done.returncode == 0, done.stderr
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         archive.extractall(tmp_path / "source")
@@ -287,16 +287,3 @@ def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     assert [test["max_score"] for test in results["tests"]] == [1, 2, 4, 3]
     failed, _ = [test for test in results["tests"] if test["status"] == "failed"]
     assert failed["number"] == "1.1" and "differs" in failed["output"]
-
-
-def test_the_workflow_s_script_writes_classroom_50_s_result(course, run_module):
-    """A repository shows no board, or a result that Classroom 50 refuses."""
-    run_module(course, "course", "autograder", "github", course / "repo")
-    assert "python autograder.py" in (course / "repo/.github/workflows/labs.yml").read_text()
-    (course / "autograder.py").write_bytes((course / "repo/autograder.py").read_bytes())
-    done = run_module(course, "autograder")
-    result = json.loads((course / "result.json").read_text())
-    assert (result["schema"], result["score"], result["max-score"]) == (
-        "classroom50/result/v1", 10, 10), done.stderr
-    assert result["tests"][1] == {
-        "test-name": "1.2 quadruple", "passed": True, "score": 2, "max-score": 2}
