@@ -48,7 +48,7 @@ def read(request, topics):
     """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
     zone = lateness.zone(request.due)
     persons = people.read(request.people, zone) if request.people else []
-    handed_in, not_understood = submissions.read(request.submissions, topics, zone)
+    handed_in, not_understood = submissions.read(request.submissions, topics)
     return people.with_members(handed_in, persons), persons, not_understood
 
 
@@ -81,7 +81,7 @@ def grade_all(request, topics, todo, before, results):
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.other_work,
+    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.changed(),
           *files, sep="\n")
     return int(bool(failed))
 

@@ -136,7 +136,7 @@ def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, ru
     put(handed_in, {"bob/transforms.py": LAB})
     printed = run_grade(run_module, course, out.parent, "--resume")
     assert "1 submissions graded" in printed
-    assert "bob has other work than in an earlier run: 10 points, 9 before" in printed
+    assert "bob: 10 points, 9 before: handed in again" in printed
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
     assert changed == {"bob"} and grades(out)["bob"]["total"] == "10"
 
