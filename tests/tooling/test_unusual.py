@@ -45,25 +45,18 @@ def test_who_did_nothing_is_not_named(tmp_path):
 # --- what is named ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("word", "named"), [
+@pytest.mark.parametrize(("line", "named"), [
     *((word, word) for word in (
         "eval", "exec", "compile", "__import__", "globals", "locals", "vars", "getattr", "setattr",
-        "open", "__builtins__", "import linecache", "import ctypes", "import gc", "import inspect",
-        "import base64", "import importlib.util")),
-    ("is_covered.__globals__", ".__globals__"), ("().__class__.__subclasses__", ".__subclasses__"),
-    ("error.tb_frame", ".tb_frame"), ("'__builtins__'", "'__builtins__'"),
-    ("np.ctypeslib", ".ctypeslib"), ("np.lib.npyio.os", ".os"),
-    ("from os import path", "import os.path"),
-    ("from numpy.lib.npyio import os", "import numpy.lib.npyio.os"),
-    ("from types import CodeType", "import types.CodeType"),
-    ("from reference import msaa", "import reference.msaa"),
-    ("import numpy as np\nnp.isclose = print", "np.isclose ="),
-    ("def __getattr__(name):\n    return print", "def __getattr__")])
-def test_what_reaches_outside_is_named_with_its_line(word, named):
+        "open", "__builtins__", "import base64", "import socket")),
+    ("from types import CodeType", "import types"), ("from numpy.lib.npyio import os", "os"),
+    ("from reference import msaa", "import reference"), ("np.lib.npyio.os", "os"),
+    ("is_covered.__globals__", "__globals__"), ("().__class__.__subclasses__", "__subclasses__"),
+    ("error.tb_frame", "tb_frame"), ("'__builtins__'", "__builtins__"),
+    ("def __getattr__(name): return print", "__getattr__")])
+def test_what_reaches_outside_is_named_with_its_line(line, named):
     """A lab that reads its caller, its checks or a table is like any other."""
-    (_, (sign,)), = unusual.by_student({"ada": {"rasterization": f"{ANSWER}\n\n{word}\n"}})
-    line = len(ANSWER.splitlines()) + 2 + word.startswith("import numpy") + 1
-    assert sign == ("rasterization", line, f"uses {named}")
+    assert unusual.words(f"x = 1\n{line}\n") == {named: 2}
 
 
 def dressed(text):

@@ -2,7 +2,6 @@
 
 It is no verdict, and takes no points. A lab that is no Python has no signs.
 """
-import ast
 import functools
 import io
 import keyword
@@ -16,18 +15,15 @@ from ..handing.texts import handed_out
 
 OWN_LINES = 10  # that the hand-out lacks, in files that are named because they are equal
 REFERENCE = "the reference"  # stands among the students, none of whom has a space in the name
-HARMLESS = {
-    "__future__", "abc", "bisect", "cmath", "collections", "contextlib", "copy", "dataclasses",
-    "decimal", "doctest", "enum", "fractions", "functools", "heapq", "itertools", "labs", "logging",
-    "math", "matplotlib", "numbers", "numpy", "operator", "random", "re", "scipy", "statistics",
-    "string", "textwrap", "time", "typing", "warnings"}
-HIDDEN = {"builtins", "codecs", "ctypes", "ctypeslib", "gc", "importlib", "inspect", "linecache",
-          "marshal", "os", "pickle", "subprocess", "sys", "zlib"}  # also as np.lib.npyio.os
-BUILT_IN = {"compile", "delattr", "eval", "exec", "getattr", "globals", "locals", "open", "setattr",
-            "vars"}
+HARMLESS = set(
+    "__future__ abc bisect cmath collections contextlib copy dataclasses decimal doctest enum "
+    "fractions functools heapq itertools labs logging math matplotlib numbers numpy operator "
+    "random re scipy statistics string textwrap time typing warnings".split())
+REACHES_OUT = set(  # modules also as in np.lib.npyio.os
+    "builtins codecs compile ctypes ctypeslib delattr eval exec gc getattr globals importlib "
+    "inspect linecache locals marshal open os pickle setattr subprocess sys vars zlib".split())
 INNER = re.compile(r"(?!__(all|class|doc|init|main|name|new|version)__)__\w+__"
                    r"|(ag|co|cr|f|gi|tb)_(back|builtins|code|consts|frame|globals|locals|next)")
-WORDS = tokenize.NAME, tokenize.NUMBER, tokenize.OP
 
 
 class Sign(NamedTuple):
@@ -52,7 +48,25 @@ def by_student(texts) -> list[tuple[str, list[Sign]]]:
                   key=lambda pair: (-len(pair[1]), pair[0]))
 
 
-# --- files that are equal ---------------------------------------------------------------------
+def words(text):
+    """{what reaches outside of a lab: the first line of it}"""
+    found = {f"import {need.what}": need.line for need in reversed(imports.imports(text))
+             if not is_harmless(need.what)}
+    for token in tokens(text):
+        word = token.string.strip("'\"")
+        if INNER.fullmatch(word) or (token.type == tokenize.NAME and word in REACHES_OUT):
+            found.setdefault(word, token.start[0])
+    return found
+
+
+def is_harmless(module):
+    return module.partition(".")[0] in ("", *HARMLESS) or module.startswith("course.given.")
+
+
+@functools.cache
+def usual(name):
+    """What the reference itself uses."""
+    return words(exercises.read(exercises.reference(name))) if name in exercises.TOPICS else {}
 
 
 def equal_files(texts):
@@ -84,14 +98,12 @@ def given(name):
 def statements(text):
     """The names, numbers and signs of each statement, without texts, comments and layout."""
     lines = [[]]
-    try:
-        for token in tokenize.generate_tokens(io.StringIO(text).readline):
-            if token.type == tokenize.NEWLINE:
-                lines.append([])
-            elif token.type in WORDS and token.string not in "(,)":  # layout moves these, too
+    for token in tokens(text):
+        if token.type == tokenize.NEWLINE:
+            lines.append([])
+        elif token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP):
+            if token.string not in "(,)":  # an editor moves these, too
                 lines[-1].append(token.string)
-    except (tokenize.TokenError, SyntaxError):
-        return []
     return [tuple(line) for line in lines if line]
 
 
@@ -102,52 +114,9 @@ def numbered(lines):
                  order.setdefault(word, len(order)) for line in lines for word in line)
 
 
-# --- words that labs do without ---------------------------------------------------------------
-
-
-@functools.cache
-def usual(name):
-    """What the reference itself uses."""
-    return words(exercises.read(exercises.reference(name))) if name in exercises.TOPICS else {}
-
-
-def words(text):
-    """{what reaches outside of a lab: the first line of it}"""
-    nodes = imports.nodes(text)
-    modules = {(alias.asname or alias.name).partition(".")[0] for node in nodes
-               for alias in getattr(node, "names", ()) if isinstance(alias, ast.alias)}
-    lines = {}
-    for node in nodes:
-        for word in words_of(node, modules):
-            lines[word] = min(node.lineno, lines.get(word, node.lineno))
-    return lines
-
-
-def words_of(node, modules):
-    """Yield what a node is or names that is seldom used. modules: names that are imported."""
-    if isinstance(node, ast.Name) and (node.id in BUILT_IN or INNER.fullmatch(node.id)):
-        yield node.id
-    if isinstance(node, ast.Attribute) and (node.attr in HIDDEN or INNER.fullmatch(node.attr)):
-        yield f".{node.attr}"
-    if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and (
-            getattr(node.value, "id", None) in modules):
-        yield f"{node.value.id}.{node.attr} ="
-    if isinstance(node, ast.Constant) and isinstance(node.value, str) and (
-            INNER.fullmatch(node.value)):
-        yield repr(node.value)
-    if isinstance(node, ast.FunctionDef) and node.name == "__getattr__":
-        yield "def __getattr__"
-    if isinstance(node, ast.Import | ast.ImportFrom):
-        yield from (f"import {name}" for name in imported(node) if not is_harmless(name))
-
-
-def imported(node):
-    """The names of what an import takes, each with its module's."""
-    module = f"{'.' * node.level}{node.module or ''}." if isinstance(node, ast.ImportFrom) else ""
-    return [f"{module}{alias.name}" for alias in node.names]
-
-
-def is_harmless(name):
-    first, *others = name.split(".")
-    return not HIDDEN.intersection(others) and (
-        first in HARMLESS or not first or name.startswith("course.given."))
+def tokens(text):
+    """The tokens of a text, up to where it is no Python any more."""
+    try:
+        yield from tokenize.generate_tokens(io.StringIO(text).readline)
+    except (tokenize.TokenError, SyntaxError):
+        return
