@@ -201,7 +201,7 @@ def autograder(asked):
     option("--people", metavar="FILE",
            help="groups, and due times of single students: student,group,due"))
 def grade(asked):
-    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded.
+    """Grade submissions: reports and grades.csv. Status 0 if all could be graded.
 
     Options that are not given are those of the last run into DIR. --due "" forgets one.
     """

@@ -1,14 +1,12 @@
 """What is written while a class is graded, as it comes.
 
-    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume),
-                        pictures/ of the report
+    DIR/students/ada/   report.html, record.json (for --resume), pictures/ of the report
     DIR/grades.csv      points for each exercise
     DIR/changes.csv     points that are other ones than in the last run, and why
     DIR/index.html      the overview
     DIR/code/           what was handed in, for programs that look for copies
     DIR/feedback.zip    the reports, to give back
 """
-import json
 import shutil
 from typing import NamedTuple
 
@@ -89,8 +87,6 @@ class Results:
         if not record.result.problem:
             page = report.page(record, pictures, self.run.about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
-            gradescope = json.dumps(report.gradescope(record, self.run.about), indent=2)
-            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
         places.write_whole(folder / "record.json", typed_json.dumps(record).encode("utf-8"))
 
     def write_tables(self):

@@ -154,23 +154,18 @@ LOST = "is not there when your labs are graded, so transforms.py would lose all 
 @pytest.mark.parametrize(("own", "said"), [
     (Own("from .norms import twice", files=(("norms/__init__.py", TWICE),)),
      f"labs/transforms.py, line 2: labs.norms {LOST}"),
-    (Own("from . import norms", "norms.twice(x)", (("norms/__init__.py", TWICE),)),
-     f"labs/transforms.py, line 2: labs.norms {LOST}"),
     (Own("from .norms.of import twice", files=(("norms/__init__.py", ""), ("norms/of.py", TWICE))),
      f"labs/transforms.py, line 2: labs.norms.of {LOST}"),
     (Own("from .norms import twice", files=(("norms.py", f"import pandas\n{TWICE}"),
                                             ("../pandas.py", ""))),
      f"labs/norms.py, line 1: pandas {LOST}"),
-    (Own("from norms import twice", files=(("../norms.py", TWICE),)),
-     f"labs/transforms.py, line 2: norms {LOST}"),
     (Own("from .scanline import twice", files=(("scanline.py", TWICE),)),
      f"labs/transforms.py, line 2: labs.scanline {LOST}"),
     (Own('TABLE = open("labs/table.txt").read()', "2 * x", (("table.txt", "x"),)),
      "labs/transforms.py, line 2: labs/table.txt is not there when your labs are graded; numpy"),
     (Own("from .norms import twice", files=(("norms.py", READS + TWICE), ("table.txt", "x"))),
      "labs/norms.py, line 2: table.txt is not there when your labs are graded; numpy")],
-    ids=["a package", "a package's name", "in a package", "in turn", "absolute", "another lab's",
-         "a file", "a file in turn"])
+    ids=["a package", "in a package", "in turn", "another lab's", "a file", "a file in turn"])
 def test_what_works_at_home_alone_is_told_there(own, said, house, run_here, monkeypatch):
     """On the board all is done, and the mark is 0."""
     root = house(first_lab() | {f"labs/{name}": text for name, text in own.files}
