@@ -49,6 +49,8 @@ NAMES = {
     "anon_Ab3dE": ["anon_Ab3dE_56789_transforms.py", "LATE_anon_Ab3dE_56789_transforms.py"],
     "Ada_Lovelace_1234": [
         f"{MOODLE}_/transforms.py", f"{MOODLE}/labs/transforms.py", f"{MOODLE}_transforms.py"],
+    "Grace_99_assignsubmission_file_Eve_105": [  # so she calls herself, to be in Grace's row
+        "Grace_99_assignsubmission_file Eve_105_assignsubmission_file/transforms.py"],
     "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
     "cmd": ["=cmd()/transforms.py"],
     "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
@@ -130,7 +132,6 @@ def test_names_are_safe_wherever_they_are_written(read, tmp_path):
 
 
 LAB = {"labs/transforms.py": "x = 1\n"}
-BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
 
 
 @pytest.mark.parametrize(("name", "content"), [
@@ -139,7 +140,6 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
     ("ada.zip", {"course/labs/transforms.py": "x = 1\n", "course/reference/transforms.py": "no",
                  "course/tests/mistakes/transforms.py": "no", "course/course/cli.py": "no",
                  "course/course/handed_out/transforms.py": "no"}),
-    ("ada.zip", {**BIG, **LAB}),
     *(("ada.zip", {name: "x = 1\n"}) for name in (
         "labs\\transforms.py", "labs/transforms (1).py", "labs/Transforms.py")),
     ("ada.rar", zipped(LAB.items())), ("ada/homework/labs.zip", LAB)])

@@ -8,6 +8,8 @@
     ada/, ada.zip, ada_transforms.py            by hand
 
 Canvas's names are made in its lib/content_zipper.rb, Moodle's in mod/assign/classes/downloader.php.
+In the name of a Moodle folder, the last number is Moodle's. In that of a file, which ends as its
+student likes, it is the first.
 """
 import contextlib
 import datetime
@@ -24,6 +26,7 @@ CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)"
                     r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
 ANONYMOUS = re.compile(r"(?P<late>LATE_)?(?P<name>anon_[0-9A-Za-z]+)"
                        r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
+MOODLE_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assign(?:submission|feedback)_[a-z]+_?", re.S)
 MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assign(?:submission|feedback)_[a-z]+.*", re.S)
 
 
@@ -56,7 +59,8 @@ def senders(path, submitters) -> list[Sender]:
     name = " ".join(whole.split())
     if found := submitters.get(name.partition(".")[0]):
         return found
-    for form, sender in (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas):
+    folder = [(MOODLE_FOLDER, moodle)] * path.is_dir()
+    for form, sender in *folder, (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas):
         if match := form.fullmatch(name):
             found = sender(**match.groupdict())
             return [found._replace(identity=found.identity._replace(file=name))]
