@@ -26,6 +26,7 @@ from course.grading import grade
 from course.grading.apart import running, sandbox
 from course.grading.apart.jobs import Job
 from course.grading.apart.levels import LEVELS
+from course.grading.request import Request
 from course.upkeep import mistakes
 
 TOPIC = "rasterization"
@@ -93,9 +94,9 @@ def a_class(count, level):
             (folder / "in" / name / f"{TOPIC}.py").write_text(
                 f"{text}\n\n{mistake.text}", encoding="utf-8")
         start = time.perf_counter()
-        grade.run(folder / "in", folder / "out", "2", jobs=2, isolation=level)
+        grade.run(Request(folder / "in", folder / "out", "2", jobs=2, isolation=level))
         seconds = time.perf_counter() - start
-        with open(folder / "out" / "grades.csv", encoding="utf-8") as file:
+        with open(folder / "out" / "grades.csv", encoding="utf-8-sig") as file:
             got = {row["student"]: row for row in csv.DictReader(file)}
     return seconds, sum(got[name]["total"] != str(most - mistake.exercise.points)
                         for name, mistake in planted.items())

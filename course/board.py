@@ -137,9 +137,9 @@ def next_to_do(entries, implementation, seed):
 
     The fine print comes when there is nothing else to do.
     """
-    entries = in_the_lecture__s_order(entries)
+    entries = in_lecture_order(entries)
     undone = [entry for entry in entries if entry.verdict != "done"]
-    ready = [entry for entry in undone if "blocked" not in entry.verdict]
+    ready = [entry for entry in undone if not entry.blocked_by]
     entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
@@ -163,7 +163,7 @@ def also(wrong):
             yield "fails too", "; ".join([*others[:MOST_CLAIMS], *more])
 
 
-def in_the_lecture__s_order(entries):
+def in_lecture_order(entries):
     """Lab by lab, in the order in which a lecture reaches its exercises."""
     topics = {exercises.LABS[exercises.lab_number(entry.topic) - 1] for entry in entries}
     reached = {number: place for own, *_ in topics
@@ -190,8 +190,7 @@ def headline(entry, wrong):
 
 def ways_on(entry, implementation, seed):
     """Rows: what runs the checks again, what to read, and what helps who is stuck."""
-    blocked_by = entry.verdict.partition("blocked by ")[2]
-    yield "again", rerun(blocked_by or entry.number, implementation, seed)
+    yield "again", rerun(entry.blocked_by or entry.number, implementation, seed)
     yield "read", reading(entry, folder(implementation))
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"

@@ -15,7 +15,7 @@ to teach
   handout DIR           what students get: labs, checks, lectures, and no solutions
   solutions LABS FILE   release solutions later: a zip that students unpack in their copy
   grade SUBMISSIONS     grade what was handed in, each submission in a sandbox
-  autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
+  autograder FILE       the zip that Gradescope takes as an autograder
 
 to work on the course
   skeleton              make labs/ from reference/, but for labs that were worked on

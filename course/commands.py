@@ -167,15 +167,12 @@ def solutions(asked):
 
 
 @command(
-    option("kind", choices=("gradescope", "github")),
-    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub"),
+    option("file", metavar="FILE", help="the zip's name"),
     GRADED)
 def autograder(asked):
-    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
+    """Write the zip that Gradescope takes as an assignment's autograder."""
     import course.grading.autograder
-    if asked.kind == "github":
-        return course.grading.autograder.github(asked.path)
-    return course.grading.autograder.gradescope(asked.path, asked.labs)
+    return course.grading.autograder.gradescope(asked.file, asked.labs)
 
 
 @command(
@@ -185,17 +182,14 @@ def autograder(asked):
     option("--jobs", type=whole_number(1), metavar="N",
            help="how many at a time; without, one for each core"),
     option("--resume", action="store_true", help="keep results of the same work and checks"),
-    option("--drop", default="", metavar="NAME,...",
-           help="forget these options of the last run into DIR, as in --drop due,late"),
     option("--seed", type=whole_number(0), metavar="N",
            help="what all random inputs are made from; without, it is drawn, and secret"),
     option("--isolation", choices=("strict", "process"),
            help="strict needs Linux with bubblewrap; process is for work that you trust"),
-    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster"),
     option("--seconds", type=float, metavar="S", help="the most that a call may take; without, 10"),
     option("--extra", action="store_true", default=None,
            help="extras count, too: they were handed out open"),
-    option("--csv", choices=("canvas", "moodle", "gradescope", "brightspace"),
+    option("--csv", choices=("canvas", "moodle", ""),
            help="write this platform's import file, from its own export"),
     option("--roster", metavar="FILE", help="that export, as CSV"),
     option("--assignment", metavar="NAME", help="which of its columns takes the points"),
@@ -205,12 +199,11 @@ def autograder(asked):
     option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d"),
     option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason"),
     option("--people", metavar="FILE",
-           help="groups, and due times of single students: student,group,due"),
-    option("--previous", metavar="FILE", help="an earlier grades.csv: tell what changed, and why"))
+           help="groups, and due times of single students: student,group,due"))
 def grade(asked):
-    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded.
+    """Grade submissions: reports and grades.csv. Status 0 if all could be graded.
 
-    Options that are not given are those of the last run into DIR.
+    Options that are not given are those of the last run into DIR. --due "" forgets one.
     """
     try:
         import course.grading.grade

@@ -37,6 +37,11 @@ class Entry(NamedTuple):
         """The verdict as a board has it: done, fine print open."""
         return f"{self.verdict}, fine print open" if self.fine_print_open else self.verdict
 
+    @property
+    def blocked_by(self) -> str:
+        """The exercise that it waits for. "": none."""
+        return self.verdict.partition("blocked by ")[2]
+
 
 class Found(NamedTuple):
     """What became of what was asked for."""

@@ -1,4 +1,4 @@
-"""For other graders: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
+"""For Gradescope: the zip that grades there."""
 import json
 import secrets
 import sys
@@ -34,17 +34,6 @@ def gradescope(path, labs=None) -> int:
         ("settings.json", json.dumps(settings).encode())], PROGRAMS))
     print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)}), "
           "and show it to nobody: it holds the seed of all random inputs")
-    return 0
-
-
-def github(folder) -> int:
-    """Write a workflow, and autograder.py for it and for Classroom 50, to a repository -> 0."""
-    folder = Path(folder)
-    for name, place in (("labs.yml", ".github/workflows/labs.yml"),
-                        ("autograder.py", "autograder.py")):
-        (folder / place).parent.mkdir(parents=True, exist_ok=True)
-        places.write_whole(folder / place, (FILES / name).read_bytes())
-        print(folder / place)
     return 0
 
 

@@ -48,7 +48,7 @@ def read(request, topics):
     """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
     zone = lateness.zone(request.due)
     persons = people.read(request.people, zone) if request.people else []
-    handed_in, not_understood = submissions.read(request.submissions, topics, zone)
+    handed_in, not_understood = submissions.read(request.submissions, topics)
     return people.with_members(handed_in, persons), persons, not_understood
 
 
@@ -71,7 +71,7 @@ def grade_all(request, topics, todo, before, results):
     for record in before:
         results.take(record)
     if todo:
-        asks = rehearsed(topics, todo[0][1], request.jobs, request.scheduler)
+        asks = rehearsed(topics, todo[0][1], request.jobs)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     remember(request)
     examine(request, todo, results)
@@ -81,7 +81,7 @@ def grade_all(request, topics, todo, before, results):
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.other_work,
+    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.changed(),
           *files, sep="\n")
     return int(bool(failed))
 
@@ -89,7 +89,7 @@ def grade_all(request, topics, todo, before, results):
 def examine(request, todo, results):
     """Examine [(submission, its job)], and write each result when it is there."""
     works = together(todo)
-    examined = running.examined(works, request.jobs or os.cpu_count(), request.scheduler)
+    examined = running.examined(works, request.jobs or os.cpu_count())
     with contextlib.closing(examined) as steps:
         for group, job, (result, pictures) in progress(steps, len(works)):
             for one in group:
@@ -178,7 +178,7 @@ def own_seed(seed, texts) -> int:
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:6], "big")  # exact in a sheet
 
 
-def rehearsed(topics, like, jobs=None, scheduler=None) -> dict:
+def rehearsed(topics, like, jobs=None) -> dict:
     """What each exercise of the reference asks of others: Job.asks, found by grading it.
 
     like: a Job with the same level, limits and extras.
@@ -189,7 +189,7 @@ def rehearsed(topics, like, jobs=None, scheduler=None) -> dict:
     todo = [(None, like._replace(texts=dict(texts[k::jobs]), missing={}, seed=0, asks=None))
             for k in range(min(jobs, len(texts)))]
     asks = {}
-    with contextlib.closing(running.examined(todo, jobs, scheduler)) as steps:
+    with contextlib.closing(running.examined(todo, jobs)) as steps:
         for _, _, (result, _) in steps:
             if wrong := result.problem or first_wrong(result.entries):
                 raise ValueError("nothing was graded, for the reference itself does not pass "

@@ -1,8 +1,8 @@
 """What is asked of `grade`, and what its output folder remembers of that: DIR/asked.json.
 
-An option that is not given this time is as it was the last time, unless --drop names it. So nobody
-loses marks by a command that is typed anew. The file holds the run's seed, which is secret: whoever
-knows it can make a table of the right answers.
+An option that is not given this time is as it was the last time. With an empty text, as in
+--due "", it is forgotten. So nobody loses marks by a command that is typed anew. The file holds the
+run's seed, which is secret: whoever knows it can make a table of the right answers.
 """
 import json
 import os
@@ -28,10 +28,8 @@ class Request(NamedTuple):
     resume: bool = False
     seed: int | None = None
     isolation: str | None = None
-    scheduler: str | None = None
     seconds: float | None = None  # the most that a call may take; None: that of sandbox.Limits
     extra: bool | None = None    # extras count as well: fair where they were handed out open
-    drop: str = ""               # names of options, to be forgotten
     csv: str | None = None       # the platform
     roster: str | None = None
     assignment: str | None = None
@@ -40,7 +38,6 @@ class Request(NamedTuple):
     grace: str | None = None
     overrides: str | None = None
     people: str | None = None
-    previous: str | None = None
 
 
 def recalled(request) -> tuple[Request, str]:
@@ -48,8 +45,7 @@ def recalled(request) -> tuple[Request, str]:
 
     ValueError: the folder is of other labs, or a file of the last time is not there any more.
     """
-    dropped = dropped_names(request.drop)
-    before = {name: value for name, value in remembered(request.out).items() if name not in dropped}
+    before = remembered(request.out)
     given = {name: value for name, value in options(request).items() if value is not None}
     labs = before.get("labs", given.get("labs"))
     if given.get("labs", labs) != labs:
@@ -59,8 +55,9 @@ def recalled(request) -> tuple[Request, str]:
     for name in FILES & again.keys():
         if not os.path.exists(again[name]):
             raise ValueError(f"{again[name]}, the last run's --{name}, is not there any more: "
-                             f"give --{name} FILE, or forget it with --drop {name}")
-    whole = {"labs": numbers(None), "seed": secrets.randbits(128)} | again | given
+                             f'give --{name} FILE, or forget it with --{name} ""')
+    whole = {"labs": numbers(None), "seed": secrets.randbits(128)} | again | {
+        name: value if value != "" else None for name, value in given.items()}
     said = " ".join(f"--{name}" if value is True else f"--{name} {value}"
                     for name, value in again.items() if name != "seed")
     return request._replace(**whole), said and f"as in the last run: {said}"
@@ -81,15 +78,6 @@ def remembered(out) -> dict:
     except ValueError:
         raise ValueError(f"{path} cannot be read: restore it, because it holds the seed, or remove "
                          "it and grade everything again") from None
-
-
-def dropped_names(text):
-    """'due,late' -> {'due', 'late'}. ValueError: one is no option that can be dropped."""
-    names, droppable = {*text.split(",")} - {""}, {*KEPT} - {"labs"}
-    if unknown := names - droppable:
-        raise ValueError(f"--drop {min(unknown)}: no such option is remembered; these are: "
-                         f"{', '.join(sorted(droppable))}")
-    return names
 
 
 def options(request):

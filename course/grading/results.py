@@ -1,24 +1,21 @@
 """What is written while a class is graded, as it comes.
 
-    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume),
-                        pictures/ of the report
+    DIR/students/ada/   report.html, record.json (for --resume), pictures/ of the report
     DIR/grades.csv      points for each exercise
+    DIR/changes.csv     points that are other ones than in the last run, and why
     DIR/index.html      the overview
-    DIR/similar.html    answers that are alike, for a person to judge; similar.csv has them as well
     DIR/code/           what was handed in, for programs that look for copies
     DIR/feedback.zip    the reports, to give back
 """
-import json
 import shutil
 from typing import NamedTuple
 
-from .. import exercises
 from ..given import places
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
 from .handing import texts
-from .pages import overview, report, side_by_side, similarity, unusual
+from .pages import overview, report, unusual
 
 
 class Run(NamedTuple):
@@ -37,8 +34,8 @@ class Results:
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
-        self.other_work = []   # sentences on work that takes the place of an earlier run's
-        self.looked_at = None  # overview.LookedAt, once all are there
+        self.changes = []      # of `worth.changes`, since the last run
+        self.unusual = ()      # of `unusual.by_student`, once all are there
 
     def forget(self, students):
         """Remove what earlier runs left of those who have no row any more."""
@@ -65,11 +62,6 @@ class Results:
         """Write what belongs to one student, and the tables."""
         how = How(self.run.level, seed, self.run.checks[:12], fingerprint)
         record = self.book.entered(Record(one, how, result))
-        before = earlier.read(self.folder(one.student) / "record.json")
-        if before and before.work.digest != one.digest:
-            was, now = (sheets.number_text(worth.total(each)) for each in (before, record))
-            self.other_work.append(f"{one.student} has other work than in an earlier run: "
-                                   f"{now} points, {was} before")
         try:
             self.write_pictures(one.student, pictures)
             self.write_student(record, pictures)
@@ -90,38 +82,36 @@ class Results:
 
     def write_student(self, record, pictures):
         folder = self.folder(record.work.student)
+        if before := earlier.read(folder / "record.json"):
+            self.changes += worth.changes(before, record)
         if not record.result.problem:
             page = report.page(record, pictures, self.run.about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
-            gradescope = json.dumps(report.gradescope(record, self.run.about), indent=2)
-            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
         places.write_whole(folder / "record.json", typed_json.dumps(record).encode("utf-8"))
 
     def write_tables(self):
-        """grades.csv and index.html -> the rows of grades.csv."""
+        """grades.csv, changes.csv and index.html."""
         records = [self.records[name] for name in sorted(self.records)]
         table = tables.grades(records, self.run.columns)
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
+        changes = [("student", "exercise", "before", "now", "why"), *self.changes]
+        places.write_whole(self.out / "changes.csv", sheets.written(changes))
         page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
-                                 self.run.not_understood, self.looked_at,
+                                 self.run.not_understood, self.unusual,
                                  len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
-        return table
+
+    def changed(self):
+        """Sentences on those who have other points in the end than before."""
+        return [f"{student}: {now or 'no'} points, {before or 'none'} before: {why}"
+                for student, what, before, now, why in self.changes if what == worth.LEFT]
 
     def close(self) -> list:
         """Write what needs all results -> the paths of all tables."""
-        files = self.book.write(self.out, self.records, self.write_tables())
-        self.look_at(texts.kept(self.out, self.book.handed_in.values()))
+        files = self.book.write(self.out, self.records)
+        self.unusual = unusual.by_student(texts.kept(self.out, self.book.handed_in.values()))
         self.write_tables()
         handback.write(self.out, [self.records[name] for name in sorted(self.records)])
-        names = "grades.csv", "index.html", "similar.html", "feedback.zip"
+        names = "grades.csv", "changes.csv", "index.html", "feedback.zip"
         return [*(self.out / name for name in names), *files]
-
-    def look_at(self, labs):
-        """Write the pages on what is alike. labs: as `texts.kept` has them."""
-        asked = {topic: [one for one in exercises.topic_exercises(topic) if one in self.run.columns]
-                 for topic in set().union(*labs.values()).intersection(exercises.TOPICS)}
-        pairs, near = similarity.compare(labs, asked)
-        side_by_side.write(self.out, pairs, labs)
-        self.looked_at = overview.LookedAt(pairs, unusual.by_student(labs, asked, near))

@@ -312,7 +312,7 @@ def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch)
     """After 1.2 comes 1.3 by its number, and the lecture teaches 1.6 first."""
     monkeypatch.setattr(board, "sections", lambda *_: dict.fromkeys(["1.2", "1.6", "1.3"]))
     entries = [entry(number, "not started") for number in ("2.1", "1.9", "1.3", "1.6")]
-    assert [one.number for one in board.in_the_lecture__s_order(entries)] == [
+    assert [one.number for one in board.in_lecture_order(entries)] == [
         "1.6", "1.3", "1.9", "2.1"]
 
 

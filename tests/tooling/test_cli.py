@@ -50,15 +50,14 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("handout new --labs 2 --after 1 --extra", "grading.handing.handout.run", ("new", "2", None),
      {"extra": True, "spine": False, "after": "1"}),
     ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
-    ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
-    ("autograder github .", "grading.autograder.github", (".",), {}),
+    ("autograder a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
-     "--scheduler tcp://a --seconds 3 --extra --drop due", "grading.grade.run",
-     (Request("in", "out", "1", 2, True, 7, "process", "tcp://a", 3.0, True, "due"),), {}),
+     "--seconds 3 --extra", "grading.grade.run",
+     (Request("in", "out", "1", 2, True, 7, "process", 3.0, True),), {}),
     ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
-     "--overrides o.csv --people g.csv --previous p.csv", "grading.grade.run",
+     "--overrides o.csv --people g.csv", "grading.grade.run",
      (Request("in", "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
-              grace="G", overrides="o.csv", people="g.csv", previous="p.csv"),),
+              grace="G", overrides="o.csv", people="g.csv"),),
      {})])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):

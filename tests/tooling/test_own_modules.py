@@ -1,16 +1,15 @@
-"""Modules that students put beside the labs: handed in, hashed, graded, looked at with these."""
+"""Modules that students put beside the labs: handed in, hashed and graded with these."""
 import html
 from typing import NamedTuple
 
 import pytest
 from small_course import LAB, first_lab, grade_command, grades
-from submitted import CORE, put, zipped
+from submitted import put, zipped
 
-from course import exercises, imports, lab_text
+from course import exercises, imports
 from course.given import places, whose
 from course.grading.apart import sandbox
 from course.grading.handing import contents, submissions
-from course.grading.pages import side_by_side, similarity, unusual
 
 TWICE = "def twice(x):\n    return 2 * x\n"
 
@@ -155,23 +154,18 @@ LOST = "is not there when your labs are graded, so transforms.py would lose all 
 @pytest.mark.parametrize(("own", "said"), [
     (Own("from .norms import twice", files=(("norms/__init__.py", TWICE),)),
      f"labs/transforms.py, line 2: labs.norms {LOST}"),
-    (Own("from . import norms", "norms.twice(x)", (("norms/__init__.py", TWICE),)),
-     f"labs/transforms.py, line 2: labs.norms {LOST}"),
     (Own("from .norms.of import twice", files=(("norms/__init__.py", ""), ("norms/of.py", TWICE))),
      f"labs/transforms.py, line 2: labs.norms.of {LOST}"),
     (Own("from .norms import twice", files=(("norms.py", f"import pandas\n{TWICE}"),
                                             ("../pandas.py", ""))),
      f"labs/norms.py, line 1: pandas {LOST}"),
-    (Own("from norms import twice", files=(("../norms.py", TWICE),)),
-     f"labs/transforms.py, line 2: norms {LOST}"),
     (Own("from .scanline import twice", files=(("scanline.py", TWICE),)),
      f"labs/transforms.py, line 2: labs.scanline {LOST}"),
     (Own('TABLE = open("labs/table.txt").read()', "2 * x", (("table.txt", "x"),)),
      "labs/transforms.py, line 2: labs/table.txt is not there when your labs are graded; numpy"),
     (Own("from .norms import twice", files=(("norms.py", READS + TWICE), ("table.txt", "x"))),
      "labs/norms.py, line 2: table.txt is not there when your labs are graded; numpy")],
-    ids=["a package", "a package's name", "in a package", "in turn", "absolute", "another lab's",
-         "a file", "a file in turn"])
+    ids=["a package", "in a package", "in turn", "another lab's", "a file", "a file in turn"])
 def test_what_works_at_home_alone_is_told_there(own, said, house, run_here, monkeypatch):
     """On the board all is done, and the mark is 0."""
     root = house(first_lab() | {f"labs/{name}": text for name, text in own.files}
@@ -215,62 +209,6 @@ def test_the_course_itself_needs_nothing_that_is_not_there():
     for topic in exercises.topics():
         assert imports.not_there(topic, places.ROOT / "labs") == []
         assert imports.not_there(topic, places.ROOT / "reference") == []
-
-
-# --- what a person looks at -------------------------------------------------------------------
-
-
-ANSWER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
-DRAWS = ANSWER.replace("def rasterize_loop", "def draws")
-DEFINES = "def rasterize_loop(clip, faces, width, height):"
-LINES = {"name": ("from .norms import draws", "draws"),
-         "module": ("from . import norms", "norms.draws"),
-         "absolute": ("import labs.norms as n", "n.draws"),
-         "renamed": ("from labs.norms import draws as d", "d"),
-         "in_turn": ("from .more import draws", "draws")}
-
-
-def with_module(text, line, call, module=DRAWS):
-    """A student's {name: text}: a lab in which one exercise calls a module."""
-    calls = f"{DEFINES}\n    return {call}(clip, faces, width, height)\n\n\ndef before():"
-    return {"rasterization": f"{line}\n{text.replace(DEFINES, calls)}", "norms": module,
-            "more": "from .norms import draws\n"}
-
-
-@pytest.mark.parametrize("form", LINES)
-@pytest.mark.parametrize("text", [DRAWS, DRAWS + "def rasterize_loop():\n    return 1\n"],
-                         ids=["plain", "with a decoy"])
-def test_one_module_in_two_labs_is_seen(form, text, tmp_path, monkeypatch):
-    """What two share lies in a file at which nobody looks."""
-    monkeypatch.setattr(similarity, "KEPT", ("reference",))
-    path = exercises.reference("rasterization")
-    other = exercises.read(places.ROOT / "tests" / "other_solutions" / path.name)
-    labs = {"ada": with_module(lab_text.skeleton(exercises.read(path)), *LINES["name"]),
-            "bob": with_module(other, *LINES[form], text)}
-    (pair, *_), _ = similarity.compare(labs, {"rasterization": CORE["rasterization"]})
-    assert "2.13" in [one.number for one in pair.exercises]
-    side_by_side.write(tmp_path, [pair], labs)
-    shared = "face_index[nearer], depth[nearer] = f, deep[nearer]</mark>"
-    assert (tmp_path / "similar.html").read_text("utf-8").count(shared) == 2
-
-
-def test_what_is_unusual_in_a_module_is_named_there():
-    """It is not seen, or in a line that the lab does not have; or a broken module hides the lab."""
-    ada = {"transforms": "from . import broken, norms\nexec('')\n", "broken": "def (",
-           "norms": "import numpy as np\nx = 1\ny = eval('x')\n" + "z = x\n" * 9,
-           "alone": "exec('')"}
-    found = unusual.by_student({"ada": ada, "bob": {"norms": ada["norms"]}}, {"transforms": []}, {})
-    assert [(student, [sign[1:] for sign in signs]) for student, signs in found] == [("ada", [
-        ("norms", 3, "uses eval (norms.py, line 3), exec (line 2)")])]
-
-
-def test_equal_modules_are_named():
-    """Two labs differ, and all that is in them comes from one file."""
-    module = "\n".join(f"x{k} = {k}" for k in range(unusual.OWN_LINES))
-    labs = {student: {"transforms": f"from . import norms\n{student} = 1\n", "norms": module}
-            for student in ("ada", "bob")}
-    assert [signs[0][1:] for _, signs in unusual.by_student(labs, {"transforms": []}, {})] == [
-        ("norms", 1, f"the same file as that of {other}") for other in ("bob", "ada")]
 
 
 # --- from several things that were handed in --------------------------------------------------

@@ -7,7 +7,6 @@ import pytest
 from graded import check, entry, exercise, record, result, submission
 from submitted import put
 
-from course.checks import page
 from course.grading.gradebook import handback
 from course.grading.handing import platforms
 from course.grading.pages import overview, report
@@ -94,15 +93,11 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
 
 
-def test_the_class_s_page_says_how_many_are_still_to_be_graded():
-    """After Ctrl-C, 3 of 8 rows look like the whole class."""
-    text = class_page(graded(), waiting=2)
-    assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
-
-
-def test_the_median_of_an_even_class_is_between_two_students():
-    """Of two students, the better one's points."""
-    text = class_page(graded("ada"), graded("bob", {"Zero stays": "no"}))
+def test_the_class_s_page_says_how_many_are_graded_and_how_well():
+    """After Ctrl-C, 2 of 8 rows look like the whole class. Or the median of two is the better one.
+    """
+    text = class_page(graded("ada"), graded("bob", {"Zero stays": "no"}), waiting=2)
+    assert "2 of 4 submissions graded" in text and "2 are still to be graded" in text
     assert section(text, "Distribution").startswith("median 2 of 3 points")
 
 
@@ -173,31 +168,29 @@ def test_megabytes_that_a_student_sends_are_cut(make):
     assert len(text) < 40_000 and "<x" not in text and "characters more)" in text
 
 
-def test_tables_and_messages_scroll_by_themselves():
-    """On a phone the whole page moves sideways."""
-    text = student_page(graded(wrong={"Zero stays": "x " * 200}))
+def test_tables_scroll_by_themselves():
+    """On a phone the whole page moves sideways. Or a page may load what a student wrote."""
+    text = student_page(graded())
     assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
-    assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
     assert "default-src 'none'" in text
-    assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"
 
 
 # --- given back -------------------------------------------------------------------------------
 
 
-def put_reports(folder, *students):
-    put(folder, {f"students/{student}/report.html": f"of {student}" for student in students})
-
-
 def test_reports_have_the_names_that_platforms_read(tmp_path):
-    """Everybody's feedback is refused: Moodle and Canvas know students by numbers in names."""
-    put_reports(tmp_path, "Ada_1200", "lovelaceada", "bob", "cyd")
-    handback.write(tmp_path, [
-        graded(work=one) for one in (
-            submission("Ada_1200", "moodle", id="1200", name="Ada_B"),
-            submission("lovelaceada", "canvas", id="12", file="lovelaceada_LATE_12_34_labs.zip"),
-            submission("bob", "canvas", id="13", file="bob_13_35_sampling.py"),
-            submission("cyd"), submission("dan"))])
+    """Everybody's feedback is refused: Moodle and Canvas know students by numbers in names. Or a
+    student reads the report of an earlier run.
+    """
+    students = "Ada_1200", "lovelaceada", "bob", "cyd", "dan"
+    put(tmp_path, {f"students/{student}/report.html": f"of {student}" for student in students})
+    sender, = platforms.senders(tmp_path / "lovelaceada_LATE_12_34_labs.zip", {})
+    works = (submission("Ada_1200", "moodle", id="1200", name="Ada_B"),
+             submission("lovelaceada")._replace(identity=sender.identity),
+             submission("bob", "canvas", id="13", file="bob_13_35_sampling.py"),
+             submission("cyd"), submission("without a report"))
+    handback.write(tmp_path, [*(graded(work=one) for one in works),
+                              graded("dan").failed("no worker could be started")])
     with zipfile.ZipFile(tmp_path / "feedback.zip") as archive:
         there = {name: archive.read(name) for name in archive.namelist()}
     inner = zipfile.ZipFile(io.BytesIO(there.pop("lovelaceada_LATE_12_34_labs.zip")))
@@ -207,16 +200,3 @@ def test_reports_have_the_names_that_platforms_read(tmp_path):
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["feedback.zip"]
 
 
-def test_canvas_s_file_names_come_back_as_they_were(tmp_path):
-    """The zip has reports for Canvas under names of our own."""
-    for name in ("lovelaceada_LATE_12_34_labs-1.zip", "anon_x7Yz_35_labs.zip"):
-        sender, = platforms.senders(tmp_path / name, {})
-        assert handback.entry(graded(work=submission("ada")._replace(
-            identity=sender.identity)), b"")[0] == name
-
-
-def test_an_old_report_of_work_that_could_not_be_graded_is_not_given_back(tmp_path):
-    """A student reads the report of an earlier run."""
-    put_reports(tmp_path, "ada")
-    handback.write(tmp_path, [graded("ada").failed("no worker could be started")])
-    assert zipfile.ZipFile(tmp_path / "feedback.zip").namelist() == []

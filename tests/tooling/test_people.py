@@ -48,7 +48,7 @@ def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
     """
     book, records = graded(read(f"{name},blue_50102,", "50103,blue,"), csv="canvas", roster=CANVAS,
                            assignment="Lab 2")
-    book.write(tmp_path, records, [])
+    book.write(tmp_path, records)
     rows = csv.reader(tmp_path.joinpath("for-canvas.csv").open(encoding="utf-8-sig"))
     points = {row[1]: row[7] for row in rows if row[1].isdecimal()}
     assert points == {"50101": "9", "50102": "9", "50103": "9", "50104": "", "50105": "",

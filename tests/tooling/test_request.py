@@ -35,15 +35,12 @@ def test_an_option_that_is_not_given_again_is_as_it_was(ask, tmp_path):
     assert third.seconds == 4 and third.grace == "1h"
 
 
-def test_an_option_is_dropped_by_its_name(ask):
-    """Nobody can take a deadline back. Or a name is misspelt, and nothing is dropped."""
-    ask(due="2026-11-22T23:59", late="10%/day", seed=7)
-    dropped, _ = ask(drop="due,late")
-    assert (dropped.due, dropped.late, dropped.seed) == (None, None, 7)
-    assert ask()[0].due is None
-    for wrong in ("labs", "dew", "previous"):
-        with pytest.raises(ValueError, match=f"--drop {wrong}: no such option is remembered"):
-            ask(drop=f"due,{wrong}")
+def test_an_option_is_forgotten_with_an_empty_text(ask):
+    """Nobody can take a deadline back."""
+    ask(due="2026-11-22T23:59", late="10%/day", seed=0)
+    for options in {"due": "", "late": ""}, {}:
+        asked, _ = ask(**options)
+        assert (asked.due, asked.late, asked.seed) == (None, None, 0)
 
 
 def test_other_labs_do_not_go_into_the_same_folder(ask):
@@ -61,14 +58,13 @@ def test_a_file_that_has_gone_since_is_told(ask, tmp_path):
     (tmp_path / "o.csv").unlink()
     with pytest.raises(ValueError, match="the last run's --overrides, is not there any more"):
         ask()
-    assert ask(drop="overrides")[0].overrides is None
+    assert ask(overrides="")[0].overrides is None
 
 
 def test_the_seed_is_drawn_kept_and_secret(ask, tmp_path):
     """A seed that everybody knows: a submission finds its own, and runs the public checks."""
     first, _ = ask()
     assert first.seed >> 64 and ask()[0].seed == first.seed
-    assert ask(drop="seed")[0].seed not in (first.seed, 0)
     assert "seed" not in ask()[1]
     kept = tmp_path / "asked.json"
     assert json.loads(kept.read_text())["seed"] >> 64

@@ -34,7 +34,7 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "grading.apart": ("given", "exercises", "lab_text", "checks", "verdicts"),
     "grading.handing": ("given", "exercises", "imports", "lab_text", "verdicts", "board"),
     "grading.gradebook": ("given", "grading.apart", "grading.handing"),
-    "grading.pages": ("given", "exercises", "checks", "grading.handing", "grading.gradebook"),
+    "grading.pages": ("exercises", "imports", "checks", "grading.handing", "grading.gradebook"),
     "grading": ("given", "exercises"),
     "commands": ("given", "experiments", "bridge", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),

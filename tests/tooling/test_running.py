@@ -1,8 +1,6 @@
-"""How a class is graded: many at a time, stopped in the middle, on other machines."""
+"""How a class is graded: many at a time, and stopped in the middle."""
 import contextlib
-import importlib.util
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -13,7 +11,6 @@ import pytest
 from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
 
 from course.given import places
-from course.grading.apart import running
 
 ENDLESS = LAB.replace("return x / 2, x > 0", "while True: x")
 
@@ -100,98 +97,3 @@ def test_a_run_that_is_stopped_ends_all_that_it_started(
         done = run_module(course, *grade_command(tmp_path, "--seconds", 100, "--resume"))
         assert "1 submissions graded" in done.stdout and "2 were done before" in done.stdout
         assert [row[-1] for row in marks(tmp_path / "out")] == ["7", "6", "7"]
-
-
-# --- a cluster --------------------------------------------------------------------------------
-
-
-@pytest.fixture
-def start(tmp_path):
-    """start(folder, "scheduler", ...) -> the running process of dask scheduler in that folder."""
-    begun = []
-
-    def begin(folder, *options):
-        settings = {name: text for name, text in os.environ.items() if name != "PYTHONPATH"}
-        with open(tmp_path / "dask.txt", "a") as said:
-            begun.append(subprocess.Popen(
-                [Path(sys.executable).with_name("dask"), *options, "--no-dashboard"], cwd=folder,
-                env=settings, stdout=said, stderr=said))
-
-    yield begin
-    for process in reversed(begun):
-        process.terminate()
-        process.wait(60)
-
-
-@pytest.fixture
-def scheduler(start, tmp_path):
-    """The address of a scheduler that has no workers yet."""
-    start(tmp_path, "scheduler", "--host", "127.0.0.1", "--port", "0")
-    found = []
-    wait_until(lambda: found.extend(re.findall(
-        r"Scheduler at: *(\S+)", (tmp_path / "dask.txt").read_text())) or found,
-        "the scheduler does not start")
-    return found[0]
-
-
-needs_dask = pytest.mark.skipif(not importlib.util.find_spec("distributed"),
-                                reason="Dask is not installed")
-
-
-@needs_dask
-def test_a_cluster_gives_the_same_marks(course, handed_in, run_module, start, scheduler, tmp_path):
-    """Workers that were started in the course's folder do not find it, or mark otherwise."""
-    done = run_module(course, *grade_command(tmp_path))
-    assert done.returncode == 0, done.stderr
-    here = marks(tmp_path / "out")
-    start(course, "worker", scheduler, "--nworkers", "2", "--nthreads", "1")
-    done = run_module(course, *grade_command(tmp_path, "--scheduler", scheduler))
-    assert done.returncode == 0, done.stderr
-    assert marks(tmp_path / "out") == here and [row[-1] for row in here] == ["7", "6"]
-
-
-@needs_dask
-@pytest.mark.parametrize("their", ["no", "another"])
-def test_workers_without_this_course_are_refused(
-        their, course, house, handed_in, run_module, start, scheduler, tmp_path):
-    """A traceback of Dask's, or half of a class is graded by last year's checks."""
-    other = house(first_lab(checks=CHECKS + "#"))
-    start(other if their == "another" else tmp_path, "worker", scheduler, "--nthreads", "1")
-    done = run_module(course, *grade_command(tmp_path, "--scheduler", scheduler))
-    assert done.returncode == 2 and f"has {their} course: copy this one" in done.stderr
-    assert done.stderr.count("\n") == 1 and not (tmp_path / "out" / "grades.csv").exists()
-
-
-@needs_dask
-@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "here", "http://here:8786"])
-def test_a_scheduler_that_is_not_there_is_told_in_one_sentence(
-        address, course, handed_in, tmp_path, monkeypatch):
-    """A traceback of Dask's."""
-    monkeypatch.setattr(running, "PATIENCE", 1)
-    with pytest.raises(ValueError, match=f"no Dask scheduler answers at {address} .*: start one"):
-        next(running.examined([], 1, address))
-
-
-@needs_dask
-def test_a_scheduler_without_workers_is_told_in_one_sentence(scheduler, monkeypatch):
-    """The run waits for ever."""
-    monkeypatch.setattr(running, "PATIENCE", 1)
-    with pytest.raises(ValueError, match="has no workers: start some"):
-        next(running.examined([], 1, scheduler))
-
-
-@pytest.mark.parametrize(("about", "sentence"), [
-    (("0", "strict", ""), "another course"), (None, "no course"),
-    ((running.course_digest(), "process", "install"), "no sandbox: install")])
-def test_a_cluster_with_another_course_is_refused(about, sentence):
-    """Half of a class is graded by last year's checks."""
-    alike = {"tcp://a": (running.course_digest(), "strict", "")}
-    running.require_alike(alike, "strict")
-    with pytest.raises(ValueError, match=f"tcp://b has {sentence}"):
-        running.require_alike(alike | {"tcp://b": about}, "strict")
-
-
-def test_a_machine_that_comes_late_with_another_course_gives_no_marks():
-    """Those that were there at first are alike, and the next one has last year's checks."""
-    result, _ = running.examine_alike("another digest", "{}")
-    assert result.problem == "a machine of the cluster has another course"

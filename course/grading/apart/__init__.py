@@ -16,7 +16,7 @@
     jobs         what is examined, and what comes of it
     typed_json   these as JSON, between our own processes
     examine      one submission, in a process of its own
-    running      many of these processes, here or on a cluster
+    running      many of these processes
 
 What is in the sandbox is not trusted: no mark depends on its honesty. The rest is trusted.
 """

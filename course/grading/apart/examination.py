@@ -23,6 +23,7 @@ too much, and the student's own g answers from then on. Where a check itself cal
 inputs of f, Examination asks the reference at once.
 """
 import contextlib
+import enum
 import functools
 import importlib
 import re
@@ -54,11 +55,17 @@ class TookTooLong(Exception):
     """Our own work on what was returned."""
 
 
-class Examination:
-    """A pytest plugin: the functions that checks ask for run in a worker.
+class State(enum.IntEnum):
+    """What became of an exercise: the worst of its checks so far."""
 
-    lost {exercise: sentence}: those whose worker died, fell silent, or sent what is no answer.
-    """
+    PASSED = 0
+    WRONG = 1
+    LOST = 2     # its worker died, fell silent, or sent what is no answer, in the fine print
+    SPOILT = 3   # it did so in the question
+
+
+class Examination:
+    """A pytest plugin: the functions that checks ask for run in a worker."""
 
     def __init__(self, job, labs):
         self.job = job
@@ -67,17 +74,17 @@ class Examination:
         self.twins = {exercise.number: exercise.twins for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
-        self.checked = {}       # {exercise: whether all of its checks have passed}
+        self.state = {}         # {exercise: State}
+        self.lost = {}          # {exercise: sentence} of those that are lost or spoilt
         self.budget = Budget(job.limits)
         self.answers = Answers(job.asks, self.topic, self.budget, self.start)
         self.printed = 0        # characters, by the check that runs now
         self.worker = None
         self.opened = None      # the exercise that the worker serves now
         self.running = None     # the exercise whose check runs now
+        self.at_stake = None    # the State that it gets if its worker is lost in this check
         self.missing = dict(job.missing)
         self.loaded = set()     # labs that were seen to load
-        self.lost = {}
-        self.spoilt = set()     # those of them that were lost in a check of the question
         self.pictures = 0       # so many were drawn
         self.problem = None     # why this submission could not be examined at all
 
@@ -93,7 +100,8 @@ class Examination:
 
     def pytest_runtest_setup(self, item):
         self.running = number_of(item)
-        self.is_fine_print = is_fine_print(item.get_closest_marker("exercise"))
+        is_fine = is_fine_print(item.get_closest_marker("exercise"))
+        self.at_stake = State.LOST if is_fine else State.SPOILT
         self.printed = 0
 
     @pytest.hookimpl(tryfirst=True)
@@ -101,8 +109,7 @@ class Examination:
         """Give each picture a name of its own, before the next check draws another one."""
         check = getattr(report, "check", {})
         if check:
-            passed = check["verdict"] == "passed"
-            self.checked[self.running] = passed and self.checked.get(self.running, True)
+            self.worsen(self.running, State(check["verdict"] != "passed"))
         if picture := check.get("picture"):
             self.pictures += 1
             kept = Path(picture).with_name(f"{self.pictures}.png")
@@ -120,7 +127,7 @@ class Examination:
                 return (yield)
         except TookTooLong:
             self.lose(self.running, f"what it returned takes the grader more than {alarm.OURS:g} s "
-                      "to compare with what was expected", not self.is_fine_print)
+                      "to compare with what was expected", self.at_stake)
             raise Mismatch(("wrong", self.lost[self.running])) from None
 
     def pytest_sessionfinish(self):
@@ -156,7 +163,7 @@ class Examination:
             inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
             return self.outcome(topic, name, message, inputs)
         except sandbox.Lost as lost:
-            self.lose(self.running, f"in {name}: {lost}", not self.is_fine_print)
+            self.lose(self.running, f"in {name}: {lost}", self.at_stake)
             raise Mismatch(("wrong", self.lost[self.running])) from None
 
     def open(self, topic):
@@ -200,7 +207,7 @@ class Examination:
 
     def is_sound(self, number):
         """Has an exercise passed all of its checks, without an answer of the reference?"""
-        return self.checked.get(number) and number not in (*self.answers.asked, *self.lost)
+        return self.state.get(number) is State.PASSED and number not in self.answers.asked
 
     def ran(self, check):
         """Did what was handed in answer this check?"""
@@ -278,13 +285,15 @@ class Examination:
         try:
             self.worker.finish()
         except sandbox.Lost as lost:
-            self.lose(number, f"at its end: {lost}", True)
+            self.lose(number, f"at its end: {lost}", State.SPOILT)
         self.budget.spend(None, time.monotonic() - began)
 
-    def lose(self, number, why, in_the_question):
+    def worsen(self, number, state):
+        self.state[number] = max(state, self.state.get(number, State.PASSED))
+
+    def lose(self, number, why, state):
         self.lost[number] = why
-        if in_the_question:
-            self.spoilt.add(number)
+        self.worsen(number, state)
         self.forget()
 
     def forget(self):

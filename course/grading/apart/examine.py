@@ -15,7 +15,7 @@ from ... import exercises, verdicts
 from ...checks import runner
 from ...given import places
 from . import processes, typed_json
-from .examination import Examination
+from .examination import Examination, State
 from .jobs import Job, Result
 
 PARENT_MEMORY = 1 << 32  # bytes that this process may take
@@ -29,8 +29,9 @@ def examine(job: Job) -> Result:
                if job.extra or not exercise.is_extra]
     examination = Examination(job, labs)
     found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
-    entries = [entry._replace(verdict="failing") if entry.number in examination.spoilt
-               else entry for entry in verdicts.entries(labs, numbers, {}, found)]
+    entries = [entry._replace(verdict="failing")
+               if examination.state.get(entry.number) is State.SPOILT else entry
+               for entry in verdicts.entries(labs, numbers, {}, found)]
     problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
     problem = examination.problem or "\n".join(problems) or None
     return Result(entries, examination.lost, examination.missing, examination.answers.asked,

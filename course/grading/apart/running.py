@@ -1,6 +1,6 @@
-"""Examinations, each in a process of its own: here, or on the machines of a Dask cluster.
+"""Examinations, each in a process of its own.
 
-However this process ends, examinations here end, too: they wait for the end of a pipe.
+However this process ends, examinations end, too: they wait for the end of a pipe.
 """
 import concurrent.futures
 import contextlib
@@ -15,12 +15,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...given import places
-from . import sandbox, typed_json
+from . import typed_json
 from .jobs import Job, Result, failure
 
 DECIDE = ("course/**/*.py", "reference/*.py", "tests/conftest.py", "tests/labs/*.py",
           "tests/golden/*")
-PATIENCE = 30  # seconds for a cluster's scheduler and its first worker to answer
 
 
 @functools.cache
@@ -33,11 +32,8 @@ def course_digest() -> str:
     return whole.hexdigest()
 
 
-def examined(todo, jobs, scheduler) -> Iterator:
+def examined(todo, jobs) -> Iterator:
     """Yield (submission, job, what `examine` returns), in the order in which they end."""
-    if scheduler:
-        yield from on_cluster(todo, scheduler)
-        return
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool, lifeline() as line:
         running = {pool.submit(examine, job, line): (one, job) for one, job in todo}
         try:
@@ -95,83 +91,3 @@ def outcome(future):
         return future.result()
     except Exception as error:
         return failure(f"the examination broke off: {type(error).__name__}: {error}"), {}
-
-
-# --- a cluster --------------------------------------------------------------------------------
-
-
-def on_cluster(todo, scheduler):
-    """`examined`, by the workers of a Dask scheduler. ValueError: it cannot give the same marks."""
-    try:
-        import distributed
-    except ImportError:
-        raise ValueError("--scheduler needs Dask: pip install distributed, here and on the "
-                         "cluster's machines") from None
-    with connected(distributed, scheduler) as client:
-        there = at_the_worker()
-        require_alike(client.run(there, "what_is_here"), todo[0][1].level if todo else None)
-        futures = {client.submit(there, "examine_alike", course_digest(),
-                                 typed_json.dumps(job), pure=False): (one, job)
-                   for one, job in todo}
-        # A future that is kept keeps its result on that machine: lost with it, and made again.
-        for future in distributed.as_completed([*futures]):
-            yield *futures.pop(future), outcome(future)
-
-
-def connected(distributed, scheduler):
-    """A client of the scheduler, which has workers. ValueError: it has none, or is not there."""
-    try:
-        client = distributed.Client(scheduler, timeout=PATIENCE)
-    except (OSError, ValueError) as error:
-        raise ValueError(f"no Dask scheduler answers at {scheduler} ({error}): start one with dask "
-                         "scheduler, and give its address, as in tcp://host:8786") from None
-    try:
-        client.wait_for_workers(1, PATIENCE)
-    except TimeoutError:
-        client.close()
-        raise ValueError(f"the scheduler at {scheduler} has no workers: start some in copies of "
-                         f"this course, in its folder: dask worker {scheduler}") from None
-    return client
-
-
-def at_the_worker():
-    """-> the function that calls one of this module's, by its name, in a worker of the cluster.
-
-    It is sent as it is, because a worker finds the course only in the folder that it started in.
-    """
-    def call(name, *given):
-        import importlib
-        import os
-        import sys
-        if os.getcwd() not in sys.path:
-            sys.path.insert(0, os.getcwd())
-        try:
-            module = importlib.import_module("course.grading.apart.running")
-        except ImportError:
-            return None
-        return getattr(module, name)(*given)
-
-    return call
-
-
-def what_is_here():
-    """What a machine of the cluster must have like this one: the course, and its sandbox."""
-    return course_digest(), *sandbox.available()
-
-
-def require_alike(machines, level):
-    """ValueError unless every machine {address: what_is_here()} can give the same marks."""
-    for address, here in machines.items():
-        if here is None or here[0] != course_digest():
-            raise ValueError(f"{address} has {'another' if here else 'no'} course: copy this one "
-                             "there, and start its Dask worker in that folder")
-        _, strictest, about = here
-        if level == "strict" != strictest:
-            raise ValueError(f"{address} has no sandbox: {about}")
-
-
-def examine_alike(digest, job):
-    """`examine` a job, as JSON, on a machine that may have come when others were at work."""
-    if course_digest() != digest:
-        return failure("a machine of the cluster has another course"), {}
-    return examine(typed_json.loads(Job, job))

@@ -7,9 +7,8 @@
     records      what is kept of one student's work
     worth        the points of a record
     tables       grades.csv
-    changes      what is different from an earlier grades.csv, and why
     earlier      the records that earlier runs left
-    rosters      what platforms export and import
+    rosters      what Canvas and Moodle export and import
     book         all of this for a class
     handback     feedback.zip
 """

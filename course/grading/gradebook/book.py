@@ -1,9 +1,9 @@
-"""From points to grades: who is who on the platform, lateness, points by hand, what has changed.
+"""From points to grades: who is who on the platform, lateness, points by hand.
 
 All files that an instructor gives are read before anything is graded, so a mistake costs no time.
 """
 from ...given import places
-from . import changes, lateness, overrides, people, rosters, sheets, worth
+from . import lateness, overrides, people, rosters, sheets, worth
 from .records import Record
 
 
@@ -23,7 +23,6 @@ class Gradebook:
         self.by_hand = {} if asked.overrides is None else overrides.read(
             asked.overrides, people.names(handed_in), columns)
         self.persons, self.due = persons, people.due_times(handed_in, persons)
-        self.before = None if asked.previous is None else changes.read(asked.previous)
         self.roster, self.rows, self.unmatched = None, {}, {}
         if asked.csv:
             self.roster = rosters.read(asked.roster, asked.csv, asked.assignment)
@@ -89,37 +88,20 @@ class Gradebook:
         there = set(self.rows.values())
         return {row: name for row, name in rosters.people(self.roster).items() if row not in there}
 
-    def write(self, out, records, table) -> list:
-        """Write the platform's file, those without a partner, and what changed -> the paths.
+    def write(self, out, records) -> list:
+        """Write the platform's file, and which marks it replaces there -> the paths.
 
-        records {student: record}. table: the rows of grades.csv.
+        records {student: record}.
         """
-        files = {}
-        if self.roster:
-            points = {row: sheets.number_text(worth.after_lateness(records[student]))
-                      for student, row in self.rows.items() if worth.is_graded(records[student])}
-            files[f"for-{self.roster.platform}.csv"] = rosters.filled(self.roster, points)
-            files["unmatched.csv"] = sheets.written(self.without_partner())
-            files["replaced.csv"] = sheets.written([
-                ("name", "in the roster", "now"),
-                *(map(sheets.plain, row) for row in rosters.replaced(self.roster, points))])
-        if self.before is not None:
-            now = changes.by_student(table[0], table[1:])
-            files["changes.csv"] = sheets.written(
-                [changes.HEADER, *(map(sheets.plain, row)
-                                   for row in changes.changes(self.before, now))])
+        if not self.roster:
+            return []
+        points = {row: sheets.number_text(worth.after_lateness(records[student]))
+                  for student, row in self.rows.items() if worth.is_graded(records[student])}
+        replaced = [("name", "in the roster", "now"),
+                    *(map(sheets.plain, row) for row in rosters.replaced(self.roster, points))]
+        files = {f"for-{self.roster.platform}.csv": rosters.filled(self.roster, points),
+                 "replaced.csv": sheets.written(replaced)}
         for name, content in files.items():
             places.write_whole(out / name, content)
         return [out / name for name in files]
-
-    def without_partner(self):
-        """The rows of unmatched.csv."""
-        yield "handed in as", "id", "name", "email", "why"
-        for student, why in self.unmatched.items():
-            who = self.handed_in[student].identity
-            yield map(sheets.plain, (student, who.id, who.name, who.email, why))
-        ids = rosters.PLATFORMS[self.roster.platform].ids
-        for row, name in self.absent().items():
-            who = rosters.joined(self.roster, row, ids)
-            yield map(sheets.plain, ("", who, name, "", "in the roster without a submission"))
 

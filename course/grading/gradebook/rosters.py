@@ -1,9 +1,7 @@
 """Rosters: what an instructor exports from a platform, and the file that its import takes.
 
-    canvas       the gradebook's export, which its import reads
-    moodle       an assignment's offline grading worksheet, to be uploaded there
-    gradescope   the course's roster, or scores of an assignment; Gradescope imports no points
-    brightspace  the export of grades, with names; its import reads ids, points and the last column
+    canvas   the gradebook's export, which its import reads
+    moodle   an assignment's offline grading worksheet, to be uploaded there
 
 What an export of each looks like is told in files/rosters.toml.
 """
@@ -28,7 +26,6 @@ class Platform(NamedTuple):
     name: list
     graded: str
     keys: dict
-    kept: str = ""
 
 
 PLATFORMS = {name: Platform(**table) for name, table in tomllib.loads(
@@ -51,20 +48,9 @@ def read(path, platform, assignment=None) -> Roster:
     if missing := [name for name in kind.needs if name not in sheet.header]:
         raise ValueError(f"{path} is not {platform.title()}'s {kind.export}: it has no column "
                          f"{missing[0]!r}, but {', '.join(sheet.header[:6])}")
-    columns = gradable(sheet.header, kind.graded)
-    if platform == "gradescope" and not columns:
-        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"],
-                               rows=[[*row, ""] for row in sheet.rows])
-        return Roster(path, platform, sheet, len(sheet.header) - 1)
+    columns = {column: match[1] for column, title in enumerate(sheet.header)
+               if (match := re.fullmatch(kind.graded, title))}
     return Roster(path, platform, sheet, chosen(columns, sheet.header, assignment, path))
-
-
-def gradable(header, pattern):
-    """{column: the assignment's name} of the columns that take points."""
-    found = {column: re.fullmatch(pattern, title) for column, title in enumerate(header)}
-    scores = {column: title for column, title in enumerate(header)
-              if f"{title} - Max Points" in header}  # Gradescope's course grades
-    return {column: match[1] for column, match in found.items() if match} | scores
 
 
 def chosen(columns, header, assignment, path):
@@ -147,11 +133,9 @@ def row_of(identity, index):
 
 def most(roster):
     """The most points that the platform has for the assignment. None if its export tells none."""
-    title, rows = roster.sheet.header[roster.column], roster.sheet.rows
-    texts = re.findall(r"MaxPoints:([\d.]+)", title)
-    texts += [row[roster.column].strip() for row in rows if row[0].strip() == "Points Possible"]
-    texts += [cell(roster, row, name) for row in range(len(rows))
-              for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
+    rows = roster.sheet.rows
+    texts = [row[roster.column].strip() for row in rows if row[0].strip() == "Points Possible"]
+    texts += [cell(roster, row, "Maximum grade") for row in range(len(rows))]
     return next((float(text.replace(",", ".")) for text in texts if NUMBER.fullmatch(text)), None)
 
 
@@ -172,12 +156,9 @@ def replaced(roster, points):
 
 def filled(roster, points) -> bytes:
     """The file to import, as bytes. points {row: text}. All other cells are as they came."""
-    kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet
-    columns = [column for column, title in enumerate(sheet.header)
-               if not kept or column == roster.column or re.fullmatch(kept, title)]
+    sheet = roster.sheet
     table = [sheet.header, *map(list, sheet.rows)]
     for row, text in points.items():
         if not kept_word(roster, row):
             table[row + 1][roster.column] = text
-    return sheets.written([[line[column] for column in columns] for line in table],
-                          sheet.delimiter, sheet.newline, sheet.has_bom)
+    return sheets.written(table, sheet.delimiter, sheet.newline, sheet.has_bom)

@@ -26,7 +26,7 @@ def line(record: Record, exercises) -> dict:
         "total": number_text(worth.total(record) if graded else None),
         "of": sum(one.points for one in exercises),
         "handed in": record.lateness.handed_in, "late by": record.lateness.late_by,
-        "after lateness": number_text(worth.after_lateness(record) if graded else None),
+        worth.LEFT: number_text(worth.after_lateness(record) if graded else None),
         "by hand": sheets.in_one_cell(worth.override_sentences(record)),
         "fine print open": " ".join(worth.open_fine_print(record)),
         "isolation": how.level, "seconds": f"{result.seconds:.1f}", "seed": how.seed,

@@ -3,6 +3,9 @@ from .lateness import NO_TIME, NOT_TOLD
 from .records import Record
 from .sheets import number_text
 
+SAME = "the same work and checks: was it a time-out?"
+LEFT = "after lateness"
+
 
 def points(record: Record) -> dict[str, float]:
     """{exercise: points}, by hand where an override says so. Empty if nothing could be graded."""
@@ -37,6 +40,29 @@ def taken_off(record: Record) -> float:
 def after_lateness(record: Record) -> float:
     """The points that count in the end."""
     return round(total(record) - taken_off(record), 2)
+
+
+def changes(before: Record, now: Record):
+    """Yield (student, exercise or sum, points before, points now, why) of what is different."""
+    causes = {"handed in again": before.work.digest != now.work.digest,
+              "other checks": before.how.checks != now.how.checks,
+              "other isolation": before.how.level != now.how.level,
+              "by hand": before.overrides != now.overrides,
+              "lateness": before.lateness != now.lateness,
+              "one of the two could not be graded": before.result.problem != now.result.problem}
+    why = ", ".join(cause for cause, is_one in causes.items() if is_one) or SAME
+    old, new = figures(before), figures(now)
+    for what in new | old:
+        was, is_now = number_text(old.get(what)), number_text(new.get(what))
+        if was != is_now:
+            yield now.work.student, what, was, is_now, why
+
+
+def figures(record):
+    """All points of a record. Empty if nothing could be graded."""
+    if not is_graded(record):
+        return {}
+    return points(record) | {"total": total(record), LEFT: after_lateness(record)}
 
 
 def open_fine_print(record: Record) -> list[str]:

@@ -10,7 +10,6 @@ import itertools
 import os
 import re
 import stat
-import unicodedata
 import zipfile
 from pathlib import Path, PurePosixPath
 
@@ -98,13 +97,6 @@ def named_lab(name) -> tuple[str, str | None]:
     return before, match[2].lower()
 
 
-def looks_like(name) -> str | None:
-    """The topic of a lab for which a person would take a name that is none: tran\u017fforms.py"""
-    if name.isascii() or len(name) > 80 or named_lab(name)[1]:
-        return None
-    return named_lab(unicodedata.normalize("NFKC", name))[1]
-
-
 def topic_at(place):
     """The topic of the lab at a place in a folder or archive. None: it is not a student's lab."""
     folders = place.parts[:-1]
@@ -132,7 +124,7 @@ def chosen(entries, name, notes):
 
     name: of the folder or archive that they are in.
     """
-    there, others, alike, places = {}, [], {}, {}
+    there, others, places = {}, [], {}
     for entry, when, content in entries:
         place = PurePosixPath(entry.replace("\\", "/"))
         places[place] = entry, when, content
@@ -141,14 +133,15 @@ def chosen(entries, name, notes):
                                                  content))
         else:
             others.append(entry)
-            alike.setdefault(looks_like(place.name), entry)
     labs, folders = {}, {}
     for topic, found in there.items():
         _, place, entry, when, content = min(found, key=lambda one: one[0])
         labs[topic] = Lab(when, quoted(entry), careful(content))
         folders[place.parent] = None
         notes += passed_over(entry, [other for *_, other, _, _ in found])
-    notes += not_taken(labs, others, alike, name)
+    if not labs:
+        what = f"holds no lab, only {few(others)}" if others else "is empty"
+        notes.append(f"{quoted(name)} {what}")
     return labs | beside(labs, folders, places)
 
 
@@ -167,19 +160,8 @@ def beside(labs, folders, places):
     return found
 
 
-def not_taken(labs, others, alike, name):
-    """Sentences on what is no lab, others, of which alike {topic: file} looks like one."""
-    yield from (f"{quoted(entry)} only looks like {topic}.py: rename it"
-                for topic, entry in alike.items() if topic)
-    if not labs:
-        what = f"holds no lab, only {few(others)}" if others else "is empty"
-        yield f"{quoted(name)} {what}"
-
-
 def passed_over(taken, names):
-    """Sentences on the files that could have been taken in place of this one."""
-    if (times := names.count(taken)) > 1:
-        yield f"{quoted(taken)} is there {times} times: the last one was taken, as unzip would do"
+    """A sentence, or none, on the files that could have been taken in place of this one."""
     if left := [name for name in names if name != taken]:
         yield f"{quoted(taken)} was taken, not {few(left)}"
 

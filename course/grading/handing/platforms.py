@@ -5,14 +5,14 @@
     lovelaceada_1234_text.html, _link.html      Canvas: text or an address in the place of a file
     Ada Lovelace_1234_assignsubmission_file/    Moodle: name, participant; a file's name may follow
     submission_1234/                            Gradescope, beside submission_metadata.yml
-    1234-567 - Ada Lovelace - Nov 22, 2026 1159 PM - labs.zip     Brightspace: user, folder, time
     ada/, ada.zip, ada_transforms.py            by hand
 
 Canvas's names are made in its lib/content_zipper.rb, Moodle's in mod/assign/classes/downloader.php.
+In the name of a Moodle folder, the last number is Moodle's. In that of a file, which ends as its
+student likes, it is the first.
 """
 import contextlib
 import datetime
-import functools
 import re
 import unicodedata
 from typing import NamedTuple
@@ -21,15 +21,13 @@ from ... import exercises
 from . import archives
 
 METADATA = "submission_metadata.yml"
-NOT_HANDED_IN = {METADATA, "index.html", "__MACOSX", ".DS_Store", ".git", "Thumbs.db",
-                 "desktop.ini"}
+NOT_HANDED_IN = {METADATA, "__MACOSX", ".DS_Store", ".git", "Thumbs.db", "desktop.ini"}
 CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)"
                     r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
 ANONYMOUS = re.compile(r"(?P<late>LATE_)?(?P<name>anon_[0-9A-Za-z]+)"
                        r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
+MOODLE_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assign(?:submission|feedback)_[a-z]+_?", re.S)
 MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assign(?:submission|feedback)_[a-z]+.*", re.S)
-BRIGHTSPACE = re.compile(r"(?P<user>\d+)-\d+ - (?P<name>.+?) - (?P<day>[^-]*?\d{4}) "
-                         r"(?P<hour>\d{1,2}):?(?P<minute>\d\d)(?P<half> [AP]M)?(?: - .+)?", re.S)
 
 
 class Identity(NamedTuple):
@@ -52,17 +50,17 @@ class Sender(NamedTuple):
     late: bool | None = None  # as the platform says; None: it says nothing
 
 
-def senders(path, submitters, zone=None) -> list[Sender] | None:
-    """Those who handed in what lies at a path. Several: a group. None: the name tells nobody.
+def senders(path, submitters) -> list[Sender]:
+    """Those who handed in what lies at a path. Several: a group. []: nobody.
 
-    submitters: of `gradescope`. zone: of times that name none; None: this machine's.
+    submitters: of `gradescope`.
     """
     whole = archives.printable(unicodedata.normalize("NFC", path.name))
-    name = " ".join(whole.split())  # a space before PM may be a narrow one
+    name = " ".join(whole.split())
     if found := submitters.get(name.partition(".")[0]):
         return found
-    for form, sender in ((BRIGHTSPACE, functools.partial(brightspace, zone=zone)),
-                         (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas)):
+    folder = [(MOODLE_FOLDER, moodle)] * path.is_dir()
+    for form, sender in *folder, (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas):
         if match := form.fullmatch(name):
             found = sender(**match.groupdict())
             return [found._replace(identity=found.identity._replace(file=name))]
@@ -77,16 +75,6 @@ def canvas(name, late, order, id=""):
 
 def moodle(name, id):
     return Sender(f"{name}_{id}" if id else name, Identity("moodle", id or "", name))
-
-
-def brightspace(user, name, day, hour, minute, half, zone):
-    """The time is taken as that of the zone. None: in another language."""
-    when = None
-    with contextlib.suppress(ValueError):
-        form = "%b %d, %Y %I%M %p" if half else "%b %d, %Y %H%M"
-        moment = datetime.datetime.strptime(f"{day} {hour:0>2}{minute}{half or ''}", form)
-        when = moment.replace(tzinfo=zone).timestamp()
-    return Sender(f"{name}_{user}", Identity("brightspace", name=name), when or 0, when)
 
 
 def by_hand(path, name):

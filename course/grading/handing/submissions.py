@@ -33,16 +33,15 @@ class Submission(NamedTuple):
     group: str = ""           # whose members hand in the same
 
 
-def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
+def read(folder, topics) -> tuple[list[Submission], list]:
     """The submissions in a folder, one for each student; [(name, sentence)] of the rest.
 
-    zone: of times that name none; None: this machine's.
     OSError or ValueError: there is no submission.
     """
     folder = Path(folder)
     if not folder.is_dir():
         raise ValueError(f"there is no folder {folder}: name the one with the submissions")
-    found, not_understood = listed(folder, topics, zone)
+    found, not_understood = listed(folder, topics)
     if not found:
         raise ValueError(f"nothing was handed in to {folder}: it should hold a folder, a zip or "
                          f"a file such as ada_{topics[0]}.py for each student"
@@ -54,14 +53,14 @@ def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
             for student in sorted(found)], not_understood
 
 
-def listed(folder, topics, zone):
+def listed(folder, topics):
     """{student: [(Sender, path)]} of a folder; [(name, sentence)] of what cannot be anybody's."""
     submitters = platforms.gradescope(folder)
     found, not_understood, seen = {}, [], set()
     for path in sorted(folder.iterdir()):
         if path.name in platforms.NOT_HANDED_IN or path.name.startswith("._"):
             continue
-        senders = platforms.senders(path, submitters, zone)
+        senders = platforms.senders(path, submitters)
         for sender in senders:
             found.setdefault(sender.student, []).append((sender, path))
         seen.add(path.stem)

@@ -8,7 +8,7 @@ Later runs find here what was handed in before.
 """
 import shutil
 
-from ... import exercises, imports, lab_text
+from ... import exercises, lab_text
 from ...given import places
 
 
@@ -42,15 +42,3 @@ def write(folder, texts):
 
 def handed_out(topic):
     return lab_text.skeleton(exercises.read(exercises.reference(topic)))
-
-
-def parts(labs, topic) -> dict[str, str]:
-    """{name: text} of the student's own modules that a lab imports, if they are Python, and of it.
-    """
-    own = imports.own_modules([labs[topic]], labs.get)
-    return {name: own[name] for name in own if imports.nodes(own[name])} | {topic: labs[topic]}
-
-
-def whole(labs, topic) -> str:
-    """The texts of the modules, and below them the lab's, whose functions count if names meet."""
-    return "\n".join(parts(labs, topic).values())

@@ -1,11 +1,10 @@
-"""The class's page: marks, what is hard, which claims fail, what was lost, late or alike.
+"""The class's page: marks, what is hard, which claims fail, what was lost, late or unusual.
 
 Names of files and students, and messages, come from students: all of them are escaped.
 """
 import collections
 import re
 import statistics
-from typing import NamedTuple
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
 from ..gradebook.sheets import in_one_cell, number_text
@@ -14,9 +13,8 @@ from ..handing.submissions import tidy
 from .report import is_of_the_lab, missing
 
 MOST_CLAIMS = 60  # in the table of those that fail
-MOST_PAIRS = 20   # of those that are alike; similar.csv has all
 MOST_SIGNS = 8    # of a student's unusual things
-ABOUT_UNUSUAL = ("What honest work seldom has, the most unusual student first. Each may have a "
+ABOUT_UNUSUAL = ("Code that reaches outside of a lab, and files that are equal. Each may have a "
                  "good reason. This takes no points.")
 STYLE = """
 body { max-width: 76rem; } .contents a { margin-right: 1rem; white-space: nowrap; }
@@ -26,17 +24,10 @@ td:last-child:not(:has(.bar)) { min-width: 14rem; }
 """
 
 
-class LookedAt(NamedTuple):
-    """What a person should look at."""
-
-    pairs: list    # of `similarity.compare`
-    unusual: list  # of `unusual.by_student`
-
-
-def overview(records, exercises, level, about, not_understood=(), looked_at=None, waiting=0) -> str:
+def overview(records, exercises, level, about, not_understood=(), unusual=(), waiting=0) -> str:
     """exercises: those that count. not_understood: [(name, sentence)].
 
-    looked_at: None where nobody has looked yet. waiting: how many are not graded yet.
+    unusual: of `unusual.by_student`. waiting: how many are not graded yet.
     """
     graded = [record for record in records if is_graded(record)]
     sections = {
@@ -50,7 +41,7 @@ def overview(records, exercises, level, about, not_understood=(), looked_at=None
         "Crashes, time-outs, and worse": table([
             [student_link(record.work.student), number, sentence]
             for record in records for number, sentence in record.result.lost.items()]),
-        **(for_a_person(looked_at) if looked_at else {}),
+        "Unusual, for a person to judge": unusual_part(unusual),
         "Everybody": table(*everybody(records, exercises))}
     sections = {title: content for title, content in sections.items() if content}
     about = (f"{len(graded)} of {len(records) + waiting} submissions graded; isolation {level} "
@@ -161,30 +152,16 @@ def lateness(record):
     return " ".join(filter(None, ["LATE" * bool(record.work.late), record.lateness.late_by]))
 
 
-def for_a_person(looked_at):
-    """The sections on what takes no points."""
-    return {"Unusual, for a person to judge": unusual_part(looked_at.unusual),
-            "Alike, for a person to judge": alike_part(looked_at.pairs)}
-
-
 def unusual_part(students):
     shown = []
     for student, signs in students:
-        shown += [[student_link(student), lab_link(student, sign), sign.reason]
+        shown += [[student_link(student), file_link(student, sign), sign.reason]
                   for sign in signs[:MOST_SIGNS]]
         if len(signs) > MOST_SIGNS:
             shown.append([student_link(student), "", f"and {len(signs) - MOST_SIGNS} more"])
     return shown and f"{paragraph(ABOUT_UNUSUAL)}\n{table(shown)}"
 
 
-def lab_link(student, sign):
-    return Markup(f'<a href="code/{escaped(student)}/{sign.topic}.py">'
-                  f"{sign.topic}.py:{sign.line}</a>")
-
-
-def alike_part(pairs):
-    shown = [[student_link(pair.first), student_link(pair.second), pair.nodes]
-             for pair in pairs[:MOST_PAIRS]]
-    return ('<p class="note">Pairs of students whose answers are alike beyond what the questions '
-            f'force: {len(pairs)} (<a href="similar.html">side by side</a>, '
-            f'<a href="similar.csv">as a table</a>). This takes no points.</p>\n{table(shown)}')
+def file_link(student, sign):
+    return Markup(f'<a href="code/{escaped(student)}/{sign.name}.py">'
+                  f"{sign.name}.py:{sign.line}</a>")

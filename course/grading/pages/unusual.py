@@ -1,267 +1,122 @@
-"""What is unusual in a submission, from its syntax trees, for a person to judge: no verdict.
+"""What a person should look at in a submission: code that reaches outside, files that are equal.
 
-Honest work seldom has any of it, and each sign may have a good reason. What the reference does as
-well is no sign. A lab that is no Python has none.
+It is no verdict, and takes no points. A lab that is no Python has no signs.
 """
-import ast
-import collections
-import contextlib
 import functools
+import io
+import keyword
 import re
+import tokenize
+from collections import defaultdict
 from typing import NamedTuple
 
-from ... import exercises
-from ..handing.texts import parts
-from . import numeric
+from ... import exercises, imports
+from ..handing.texts import handed_out
 
-MOST_NODES = 20_000    # of a lab that is looked at: five times the longest reference
-MOST_LITERALS = 1000   # letters and digits of literals beyond the reference's
-DEEPEST = 100          # nodes in nodes: `similarity` may not come to what is below
-OWN_LINES = 10         # beyond the reference's, in files that are named because they are equal
-BROKEN = SyntaxError, ValueError, RecursionError, MemoryError
-HARMLESS = {
-    "__future__", "abc", "bisect", "cmath", "collections", "contextlib", "copy", "dataclasses",
-    "decimal", "doctest", "enum", "fractions", "functools", "heapq", "itertools", "labs", "logging",
-    "math", "matplotlib", "numbers", "numpy", "operator", "random", "re", "scipy", "statistics",
-    "string", "textwrap", "time", "typing", "warnings"}
-HIDDEN = {"builtins", "codecs", "ctypes", "ctypeslib", "gc", "importlib", "inspect", "linecache",
-          "marshal", "os", "pickle", "subprocess", "sys", "zlib"}  # also as np.lib.npyio.os
-BUILT_IN = {"compile", "delattr", "eval", "exec", "getattr", "globals", "locals", "open", "setattr",
-            "vars"}
+OWN_LINES = 10  # that the hand-out lacks, in files that are named because they are equal
+REFERENCE = "the reference"  # stands among the students, none of whom has a space in the name
+HARMLESS = set(
+    "__future__ abc bisect cmath collections contextlib copy dataclasses decimal doctest enum "
+    "fractions functools heapq itertools labs logging math matplotlib numbers numpy operator "
+    "random re scipy statistics string textwrap time typing warnings".split())
+REACHES_OUT = set(  # modules also as in np.lib.npyio.os
+    "builtins codecs compile ctypes ctypeslib delattr eval exec gc getattr globals importlib "
+    "inspect linecache locals marshal open os pickle setattr subprocess sys vars zlib".split())
 INNER = re.compile(r"(?!__(all|class|doc|init|main|name|new|version)__)__\w+__"
                    r"|(ag|co|cr|f|gi|tb)_(back|builtins|code|consts|frame|globals|locals|next)")
 
 
 class Sign(NamedTuple):
-    """Something unusual in one lab of one student's."""
+    """Something unusual in one file of one student's."""
 
-    weight: int
-    topic: str
+    name: str    # of the lab, or of a module of the student's own
     line: int
     reason: str
 
 
-class Usual(NamedTuple):
-    """What a topic's reference has itself."""
+def by_student(texts) -> list[tuple[str, list[Sign]]]:
+    """[(student, signs)], who has most of them first.
 
-    words: dict
-    decorators: set
-    literals: int
-
-
-def by_student(texts, columns, near) -> list[tuple[str, list[Sign]]]:
-    """{topic: its exercises} -> [(student, signs)], the heaviest first.
-
-    texts: as `texts.kept` has them; of a group, give one member. near: of `similarity.compare`.
+    texts: as `texts.kept` has them. Of a group, give one member.
     """
     found = equal_files(texts)
-    for student, labs in texts.items():
-        for topic in labs.keys() & columns.keys():
-            found[student] += signs(parts(labs, topic), topic, columns[topic])
-    for (student, topic), share in near.items():
-        found[student].append(Sign(10, topic, 1, f"{share:.0%} of the answers are the reference's, "
-                                                 "whatever variables are called"))
-    ordered = {student: sorted(each, key=lambda one: (-one.weight, one.topic, one.line))
-               for student, each in sorted(found.items()) if each}
-    return sorted(ordered.items(), key=lambda pair: -sum(sign.weight for sign in pair[1]))
+    for student, files in texts.items():
+        for name, text in files.items():
+            found[student] += [Sign(name, line, f"uses {word}")
+                               for word, line in words(text).items() if word not in usual(name)]
+    return sorted(((student, each) for student, each in found.items() if each),
+                  key=lambda pair: (-len(pair[1]), pair[0]))
 
 
-def equal_files(texts):
-    """{student: signs} of labs that several have, letter by letter, with enough of their own."""
-    holders, found = collections.defaultdict(list), collections.defaultdict(list)
-    for student, labs in sorted(texts.items()):
-        for topic, text in labs.items():
-            holders[topic, exercises.digest(text)].append(student)
-    for (topic, _), students in holders.items():
-        if len(students) > 1 and own_lines(texts[students[0]][topic], topic) >= OWN_LINES:
-            for student in students:
-                others = ", ".join(other for other in students if other != student)
-                found[student].append(Sign(10, topic, 1, f"the same file as that of {others}"))
+def words(text):
+    """{what reaches outside of a lab: the first line of it}"""
+    found = {f"import {need.what}": need.line for need in reversed(imports.imports(text))
+             if not is_harmless(need.what)}
+    for token in tokens(text):
+        word = token.string.strip("'\"")
+        if INNER.fullmatch(word) or (token.type == tokenize.NAME and word in REACHES_OUT):
+            found.setdefault(word, token.start[0])
     return found
 
 
-def own_lines(text, topic):
-    """How many lines of code stand in a lab, and neither in the reference nor in the hand-out."""
-    given = exercises.read(exercises.reference(topic)) if topic in exercises.TOPICS else ""
-    own, given = map(code_lines, (text, given))
-    return sum(not line.startswith("raise NotImplementedError") for line in own - given)
-
-
-def code_lines(text):
-    """The lines of a lab, without comments and the author's way to break them."""
-    with contextlib.suppress(*BROKEN):
-        text = ast.unparse(ast.parse(text))
-    return {line.strip() for line in text.splitlines()}
-
-
-# --- in one lab -------------------------------------------------------------------------------
-
-
-def signs(each, topic, asked):
-    """Yield the signs in one lab alone. each: of `texts.parts`."""
-    for reason, things in found(parsed("\n".join(each.values())), topic, asked).items():
-        placed = [(thing, *place(each, line)) for line, thing in things]
-        shown = (f"{thing} ({'' if name == topic else f'{name}.py, '}line {line})"
-                 for thing, name, line in placed)
-        if placed:
-            yield Sign(min(10, 3 * len(placed)), *placed[0][1:], reason.format(", ".join(shown)))
-
-
-def place(each, line):
-    """(module, line in it) of a line in the texts below each other."""
-    for name, text in each.items():
-        count = text.count("\n") + 1
-        if line <= count:
-            return name, line
-        line -= count
-
-
-def parsed(text):
-    """The tree of a lab, an empty one where it is no Python."""
-    try:
-        return ast.parse(text)
-    except BROKEN:
-        return ast.Module([], [])
-
-
-def found(tree, topic, asked):
-    """{reason: [(line, what)]}"""
-    nodes = [*ast.walk(tree)]
-    if len(nodes) > MOST_NODES:
-        return {"too long to be looked at: {}": [(1, f"{len(nodes):,} nodes")]}
-    strange = [(line, word) for word, line in words(nodes).items()
-               if word not in usual(topic).words]
-    return {
-        "uses {}": strange,
-        "not one plain function each: {}": [*not_plain(tree, nodes, asked, topic, bool(strange))],
-        "perhaps a numeric derivative: {}": [
-            (line, title(one)) for line, one in numeric.backward_passes(tree, topic, asked)],
-        "{}": [*too_large(tree, nodes, topic)]}
+def is_harmless(module):
+    return module.partition(".")[0] in ("", *HARMLESS) or module.startswith("course.given.")
 
 
 @functools.cache
-def usual(topic):
-    nodes = [*ast.walk(ast.parse(exercises.read(exercises.reference(topic))))]
-    return Usual(words(nodes), decorators(nodes), literals(nodes).total())
+def usual(name):
+    """What the reference itself uses."""
+    return words(exercises.read(exercises.reference(name))) if name in exercises.TOPICS else {}
 
 
-def title(exercise):
-    return f"{exercise.number} {exercise.name}"
+def equal_files(texts):
+    """{student: signs} of files that several have, or the reference, whatever names stand in them.
+    """
+    topics = set().union(*texts.values()).intersection(exercises.TOPICS)
+    ours = {topic: exercises.read(exercises.reference(topic)) for topic in topics}
+    holders, found = defaultdict(list), defaultdict(list)
+    for student, files in sorted({**texts, REFERENCE: ours}.items()):
+        for name, text in files.items():
+            lines = statements(text)
+            if len({*lines} - given(name)) >= OWN_LINES:
+                holders[numbered(lines)].append((student, name))
+    for each in holders.values():
+        for student, name in each:
+            others = ", ".join(other for other, _ in each if other != student)
+            if others and student != REFERENCE:
+                found[student].append(Sign(name, 1, f"the same file as that of {others}, but for "
+                                                    "names, comments and layout"))
+    return found
 
 
-def too_large(tree, nodes, topic):
-    """Yield (line, sentence) on what is long or deep."""
-    sizes, level = literals(nodes), [tree]
-    if sizes.total() > usual(topic).literals + MOST_LITERALS:
-        yield max(sizes, key=sizes.get), f"{sizes.total():,} letters and digits of literals"
-    for _ in range(DEEPEST):
-        level = [child for node in level for child in ast.iter_child_nodes(node)]
-    if lines := [node.lineno for node in level if hasattr(node, "lineno")]:
-        yield min(lines), f"more than {DEEPEST} nodes in each other"
+@functools.cache
+def given(name):
+    """The statements of a lab as it was handed out."""
+    return {*statements(handed_out(name))} if name in exercises.TOPICS else set()
 
 
-def literals(nodes):
-    """{line: letters and digits of its literals}, without docstrings."""
-    alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
-    sizes = collections.Counter()
-    for node in nodes:
-        if isinstance(node, ast.Constant) and id(node) not in alone:
-            value = node.value
-            sizes[node.lineno] += (len(value) if isinstance(value, str | bytes) else
-                                   1 + value.bit_length() // 4 if isinstance(value, int) else 8)
-    return sizes
+def statements(text):
+    """The names, numbers and signs of each statement, without texts, comments and layout."""
+    lines = [[]]
+    for token in tokens(text):
+        if token.type == tokenize.NEWLINE:
+            lines.append([])
+        elif token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP):
+            if token.string not in "(,)":  # an editor moves these, too
+                lines[-1].append(token.string)
+    return [tuple(line) for line in lines if line]
 
 
-# --- exercises that are no plain functions ----------------------------------------------------
+def numbered(lines):
+    """Statements one after the other, with the order of names in the place of names."""
+    order = {}
+    return tuple(word if keyword.iskeyword(word) or not word.isidentifier() else
+                 order.setdefault(word, len(order)) for line in lines for word in line)
 
 
-def not_plain(tree, nodes, asked, topic, is_strange):
-    """Yield (line, title) of the exercises that are not one function each at the left edge."""
-    places = collections.defaultdict(list)
-    for node in binding(tree, nodes):
-        for name in names_bound(node):
-            places[name].append(node)
-    for exercise in asked:
-        here = places[exercise.name]
-        odd = [node for node in here if not is_plain(node, tree, topic)] or here[1:]
-        if odd:
-            yield odd[0].lineno, title(exercise)
-        elif not here and (is_strange or "*" in places):
-            yield 1, f"{title(exercise)}, missing"
-
-
-def is_plain(node, tree, topic):
-    """Whether it is a function at the left edge, without decorators that the reference lacks."""
-    return isinstance(node, ast.FunctionDef) and node in tree.body and (
-        decorators([node]) <= usual(topic).decorators)
-
-
-def decorators(nodes):
-    """The names of what decorates functions. None: of what has no name."""
-    return {getattr(getattr(one, "func", one), "id", None)
-            for node in nodes for one in getattr(node, "decorator_list", ())}
-
-
-def binding(tree, nodes):
-    """Yield the nodes that may bind a module's names."""
-    yield from (node for node in nodes if isinstance(node, ast.Global))
-    yield from (node.target for node in nodes if isinstance(node, ast.NamedExpr))
-    ends = [*tree.body]
-    while ends:
-        node = ends.pop()
-        yield node
-        if not isinstance(node, (*numeric.WHOLE, ast.Lambda, ast.NamedExpr)):
-            ends += ast.iter_child_nodes(node)
-
-
-def names_bound(node):
-    """The names that a node itself binds."""
-    if isinstance(node, ast.alias):
-        return [(node.asname or node.name).partition(".")[0]]
-    if isinstance(node, ast.Name):
-        return [] if isinstance(node.ctx, ast.Load) else [node.id]
-    names = [getattr(node, "name", None), getattr(node, "rest", None), *getattr(node, "names", ())]
-    return [name for name in names if isinstance(name, str)]
-
-
-# --- words that labs do without ---------------------------------------------------------------
-
-
-def words(nodes):
-    """{what is seldom used: the first line of it}"""
-    modules = {name for node in nodes if isinstance(node, ast.alias) for name in names_bound(node)}
-    lines = {}
-    for node in nodes:
-        for word in words_of(node, modules):
-            lines[word] = min(node.lineno, lines.get(word, node.lineno))
-    return lines
-
-
-def words_of(node, modules):
-    """Yield what a node is or names that is seldom used. modules: names that are imported."""
-    if isinstance(node, ast.Name) and (node.id in BUILT_IN or INNER.fullmatch(node.id)):
-        yield node.id
-    if isinstance(node, ast.Attribute) and (node.attr in HIDDEN or INNER.fullmatch(node.attr)):
-        yield f".{node.attr}"
-    if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and (
-            getattr(node.value, "id", None) in modules):
-        yield f"{node.value.id}.{node.attr} ="
-    if isinstance(node, ast.Constant) and isinstance(node.value, str) and (
-            INNER.fullmatch(node.value)):
-        yield repr(node.value)
-    if isinstance(node, ast.FunctionDef) and node.name == "__getattr__":
-        yield "def __getattr__"
-    if isinstance(node, ast.Import | ast.ImportFrom):
-        yield from (f"import {name}" for name in imported(node) if not is_harmless(name))
-
-
-def imported(node):
-    """The names of what an import takes, each with its module's."""
-    module = f"{'.' * node.level}{node.module or ''}." if isinstance(node, ast.ImportFrom) else ""
-    return [f"{module}{alias.name}" for alias in node.names]
-
-
-def is_harmless(name):
-    first, *others = name.split(".")
-    return not HIDDEN.intersection(others) and (
-        first in HARMLESS or not first or name.startswith("course.given."))
+def tokens(text):
+    """The tokens of a text, up to where it is no Python any more."""
+    try:
+        yield from tokenize.generate_tokens(io.StringIO(text).readline)
+    except (tokenize.TokenError, SyntaxError):
+        return
