@@ -1,10 +1,9 @@
 """What tests of lab 11 subdivide: triangle meshes of all kinds, and what is on their boundary."""
-import itertools
 
 import numpy as np
 import pytest
 import scipy.spatial
-from subdivision_meshes import MOEBIUS, farthest, polygon_meshes
+from subdivision_meshes import MOEBIUS, polygon_meshes
 
 from course.given import mesh
 from reference import subdivision
@@ -44,26 +43,3 @@ def together(one, other):
 MESHES, POLYGONS = triangle_meshes(), polygon_meshes()
 each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGONS.values(),
                                             ids=POLYGONS)
-
-
-def valence_and_boundary(corners, counts, vertex_count):
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    return subdivision.valences(edges, vertex_count), at_boundary
-
-
-def require_spline(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary are a cubic spline's."""
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    rows = np.concatenate([at_boundary, is_boundary])
-    rows = S[:len(rows)][rows]
-    assert rows[:, ~at_boundary].nnz == 0
-    assert set(rows.data) <= {1 / 8, 3 / 4, 1 / 2}
-
-
-def require_symmetric(points):
-    """A direction is preferred: the 48 symmetries of a cube."""
-    for axes in itertools.permutations(range(3)):
-        for signs in itertools.product([1, -1], repeat=3):
-            assert farthest(points[:, axes] * signs, points) < 1e-14
