@@ -171,8 +171,6 @@ def test_barycentrics_at_a_centre_are_those_of_lab_2():
     np.testing.assert_array_equal(got, expected)
 
 
-# --- error -------------------------------------------------------------------------------------
-
 # --- FXAA and TAA ------------------------------------------------------------------------------
 
 def test_fxaa_leaves_alone_what_has_no_edge():

@@ -6,6 +6,7 @@ import pytest
 
 from course.checks import assert_close
 from reference import rasterization
+from tests.labs.test_rasterization import ray_weights
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -19,12 +20,6 @@ def test_the_textbooks_picture_is_that_of_nvdiffrast(scene):
     np.testing.assert_array_equal(face_index, expected)
     seen = expected >= 0
     np.testing.assert_allclose(depth[seen], GOLDEN[f"{scene}/depth"][seen], rtol=0, atol=2e-5)
-
-
-def ray_weights(x, y, w, px, py):
-    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
-    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
-    return c / c.sum()
 
 
 def test_the_derivatives_are_central_differences(rng):
