@@ -9,11 +9,11 @@ from course.given import mesh
 from reference import catmull_clark, loop_subdivision, subdivision
 
 
-def test_two_handles_make_minus_two():
-    """A handle counts once, or a hole in plain words is taken for a boundary."""
-    _, corners, counts = POLYGONS["two holes"]
-    assert not subdivision.topology(corners, counts, corners.max() + 1)[2].any()
-    assert subdivision.euler_characteristic(corners, counts) == 2 - 2 * 2
+@pytest.mark.parametrize("name, expected", [
+    ("cube", 2), ("triangles", 0), ("house, open", 1), ("band with a twist", 0)])
+def test_euler_characteristic_of_polygons(name, expected):
+    """All faces are taken for triangles, or a handle counts once."""
+    assert subdivision.euler_characteristic(*POLYGONS[name][1:]) == expected
 
 
 # --- broken input --------------------------------------------------------------------------------
