@@ -1,9 +1,9 @@
 """The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
-from screen_scenes import on_screen, soup
+from screen_scenes import drawn, on_screen, soup
 
-from reference import antialiasing, outlines, rasterization, sampling, scanline
+from reference import antialiasing, outlines, rasterization, sampling
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -49,9 +49,8 @@ def test_gradients_are_those_of_nvdiffrast(scene):
 @pytest.mark.parametrize("seed", range(4))
 def test_silhouettes_are_those_of_the_faces_that_are_seen(seed):
     """A face is left out, or one that reaches behind the camera is taken for one in front."""
-    clip, faces = soup(np.random.default_rng(seed), behind=True)
-    opposite = antialiasing.opposite_vertices(faces)
-    face_index, _ = scanline.rasterize(clip, faces, 30, 22)
+    seen, _ = drawn(*soup(np.random.default_rng(seed), behind=True), 30, 22)
+    face_index, _, clip, faces, opposite = seen
     screen = rasterization.screen_points(clip, 30, 22)
     expected = np.vstack([antialiasing.silhouette_edges(*screen, faces, opposite), [[False] * 3]])
     expected[np.setdiff1d(np.arange(len(faces)), face_index)] = False
@@ -71,11 +70,10 @@ def test_pictures_without_faces_or_with_hostile_vertices():
     rng, faces = np.random.default_rng(0), np.array([[0, 1, 2], [3, 4, 5], [1, 2, 6]])
     clip = np.concatenate([on_screen([1.1, 8.3, 2.2], [1.3, 2.4, 7.1], 9, 8),
                            [[np.nan, 0, 0, 1], [0, np.inf, 0, 1], [0, 0, 0, 0], [0, 0, np.nan, 1]]])
-    face_index, depth = scanline.rasterize(clip, faces, 9, 8)
+    seen, _ = drawn(clip, faces, 9, 8)
     colour = rng.normal(size=(8, 9, 2))
-    arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     with np.errstate(all="raise"):
-        grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *arguments)
+        grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *seen)
     assert np.isfinite(grad_colour).all() and np.isfinite(grad_clip).all()
     assert grad_clip[:3, [0, 1, 3]].all() and not grad_clip[3:].any()
 
@@ -83,15 +81,12 @@ def test_pictures_without_faces_or_with_hostile_vertices():
 def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
     """The backward pass divides by another w than the forward pass: infinity and NaN."""
     clip = np.array([[-0.3, -0.8, 0, 1], [0.2, -0.7, 0, 1], [0.4, 0.9, 0, 0]])
-    faces = np.arange(3)[None]
 
     def gradient(w):
         clip[2, 3] = w
-        face_index, depth = scanline.rasterize(clip, faces, 16, 12)
-        colour = (face_index >= 0)[..., None].astype(float)
+        seen, white = drawn(clip, np.arange(3)[None], 16, 12)
         grad_output = np.arange(192.0).reshape(12, 16, 1) % 7
-        arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
-        return outlines.antialias_backward(grad_output, colour, *arguments)[1]
+        return outlines.antialias_backward(grad_output, white, *seen)[1]
 
     np.testing.assert_allclose(gradient(0.0)[:2], gradient(1e-7)[:2], rtol=1e-4)
     assert np.isfinite(gradient(0.0)).all() and gradient(0.0)[2].any()
@@ -108,16 +103,14 @@ def test_the_smallest_difference_in_depth_decides():
 
 def one_triangle(triangle, width, height):
     """-> its antialiased coverage (height, width), and backward(grad) -> grad_triangle (3, 2)."""
-    clip, faces = on_screen(*triangle.T, width, height), np.array([[0, 1, 2]])
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    colour = (face_index >= 0)[..., None].astype(float)
-    arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
+    clip = on_screen(*triangle.T, width, height)
+    seen, white = drawn(clip, np.arange(3)[None], width, height)
 
     def backward(grad):
-        grad_clip = outlines.antialias_backward(grad[..., None], colour, *arguments)[1]
+        grad_clip = outlines.antialias_backward(grad[..., None], white, *seen)[1]
         return grad_clip[:, :2] * 2 / [width, height]
 
-    return outlines.antialias(colour, *arguments)[..., 0], backward
+    return outlines.antialias(white, *seen)[..., 0], backward
 
 
 def test_coverage_and_its_gradient_are_near_the_exact_ones():
