@@ -94,6 +94,12 @@ def test_a_pixel_is_the_mean_of_four(rng):
     np.testing.assert_allclose(got, fine.reshape(8, 2, 12, 2, 2).mean((1, 3)), atol=1e-12)
 
 
+def gradients(grad_picture, scene, view):
+    """Those of a scene that is drawn, and then pulled at."""
+    _, buffers = texture_cubes.render(scene, view)
+    return texture_cubes.render_backward(grad_picture, buffers, scene, view, sweep_backward)
+
+
 def test_gradients_of_texels_and_lights_are_central_differences(rng):
     """Supersampling without its quarter, a light that is applied to the background."""
     scene, view = ball(rng)
@@ -102,9 +108,7 @@ def test_gradients_of_texels_and_lights_are_central_differences(rng):
         return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
 
     def backward(grad_picture, textures, *lights):
-        changed = lit(textures, lights)
-        _, buffers = texture_cubes.render(changed, view)
-        grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, sweep_backward)
+        grads = gradients(grad_picture, lit(textures, lights), view)
         return grads.textures, *grads.lights
 
     gradcheck(lambda textures, *lights: texture_cubes.render(lit(textures, lights), view)[0],
@@ -119,10 +123,7 @@ def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences
     view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
 
     def backward(grad_picture, vertices):
-        moved = scene._replace(vertices=vertices)
-        _, buffers = texture_cubes.render(moved, view)
-        grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, sweep_backward)
-        return (grads.vertices,)
+        return (gradients(grad_picture, scene._replace(vertices=vertices), view).vertices,)
 
     assert (texture_cubes.render(scene, view)[1].maps.face_index == 0).all()
     gradcheck(lambda vertices: texture_cubes.render(scene._replace(vertices=vertices), view)[0],
@@ -155,21 +156,22 @@ def test_an_empty_picture_has_no_gradient(rng):
     """Division by no pixels at all."""
     scene, view = ball(rng)
     away = scene._replace(vertices=scene.vertices + [0.0, 0.0, 50.0])
-    picture, buffers = texture_cubes.render(away, view._replace(width=6, height=4))
-    np.testing.assert_allclose(picture, np.tile(BACKGROUND, (4, 6, 1)))
-    grad_picture = rng.normal(size=picture.shape)
-    grads = texture_cubes.render_backward(grad_picture, buffers, away, view, sweep_backward)
+    picture, _ = texture_cubes.render(away, view)
+    np.testing.assert_allclose(picture, np.tile(BACKGROUND, (8, 12, 1)))
+    grads = gradients(rng.normal(size=picture.shape), away, view)
     assert not grads.vertices.any() and not grads.textures.any()
 
 
-@pytest.mark.parametrize("wrong", [
-    {"textures": np.ones((19, 2, 2, 2, 2))}, {"textures": np.ones((20, 1, 1, 1, 2))},
-    {"lights": LIGHTS[:2]}])
-def test_a_scene_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
-    """19 cubes for 20 faces drew a picture."""
+@pytest.mark.parametrize(("wrong", "samples", "background"), [
+    ({"textures": np.ones((19, 2, 2, 2, 2))}, 2, BACKGROUND),
+    ({"textures": np.ones((20, 1, 1, 1, 2))}, 2, BACKGROUND),
+    ({"lights": LIGHTS[:2]}, 2, BACKGROUND), ({}, 0, BACKGROUND), ({}, True, BACKGROUND),
+    ({}, 2, np.zeros(3))])
+def test_what_does_not_fit_is_told_in_one_sentence(rng, wrong, samples, background):
+    """19 cubes for 20 faces drew a picture, or no samples were a picture of NaN."""
     scene, view = ball(rng)
     with pytest.raises(ValueError, match="expected "):
-        texture_cubes.render(scene._replace(**wrong), view)
+        texture_cubes.render(scene._replace(**wrong), view._replace(background=background), samples)
 
 
 def test_a_side_in_pixels_may_be_a_byte(rng):
@@ -178,12 +180,3 @@ def test_a_side_in_pixels_may_be_a_byte(rng):
     got, _ = texture_cubes.render(scene, view._replace(width=np.int8(70), height=np.int8(40)))
     expected, _ = texture_cubes.render(scene, view._replace(width=70, height=40))
     np.testing.assert_array_equal(got, expected)
-
-
-@pytest.mark.parametrize("wrong", [{"samples": 0}, {"samples": True}, {"background": np.zeros(3)}])
-def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
-    """No samples were a picture of NaN."""
-    scene, view = ball(rng)
-    with pytest.raises(ValueError, match="expected "):
-        texture_cubes.render(scene, view._replace(background=wrong.get("background", BACKGROUND)),
-                             wrong.get("samples", 2))
