@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from course.given.gradcheck import gradcheck
-from reference import arrays, scanline
+from reference import arrays, scanline, vertex_gradients
 from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
@@ -63,6 +63,22 @@ def test_all_of_it_is_the_sum(scene):
                                                by_z if use_z else None, *picture, epsilon)
             expected = parts[0] + use_db * parts[1] + use_z * parts[2]
             np.testing.assert_allclose(got, expected, rtol=1e-12, atol=1e-12)
+
+
+def test_the_gradient_of_depths_is_the_matrix_formula_summed_over_the_pixels(scene):
+    """Eq. (10) is not (4), an inverse for each pixel."""
+    clip, faces, face_index, width, height = scene
+    by_z = np.random.default_rng(2).normal(size=(height, width))
+    expected = np.zeros(clip.shape)
+    for i, j in np.argwhere(face_index >= 0):
+        corners = faces[face_index[i, j]]
+        m, z = clip[corners][:, [0, 1, 3]].T, clip[corners, 2]
+        a = np.array([(2 * j + 1) / width - 1, (2 * i + 1) / height - 1, 1.0])
+        grad_z, grad_m, *_ = vertex_gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
+        expected[np.ix_(corners, [0, 1, 3])] += grad_m.T
+        expected[corners, 2] += grad_z
+    got = gradients.depth_backward(by_z, face_index, clip, faces)
+    np.testing.assert_allclose(got, expected, rtol=1e-9, atol=1e-9)
 
 
 def test_chunks_change_nothing(scene, monkeypatch):
