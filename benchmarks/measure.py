@@ -97,16 +97,6 @@ def show(rows):
         print("  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)))
 
 
-def show_growth(key, rows):
-    """Rows side by side, and after each value by how much it grew from the row before."""
-    print()
-    for name in (key, *(name for name in rows[0] if name != key)):
-        line, before = f"{name:>16}", rows[0][name]
-        for value in (row.get(name, np.nan) for row in rows):
-            line, before = line + f"{text(value):>13} ({value / before:4.1f})", value
-        print(line)
-
-
 def text(value):
     if isinstance(value, float):
         return f"{value:.3g}" if abs(value) < 10 else f"{value:.1f}"

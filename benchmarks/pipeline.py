@@ -3,8 +3,8 @@
 Rasterize, barycentrics, interpolate 3 attributes, antialias; then their backward passes, from the
 picture to clip positions and attributes.
 "render" and "d render" are `pipeline.render` and its backward pass, from positions to a picture and
-back: the stages and what joins them. Milliseconds as benchmarks/measure.py has them; in brackets
-the growth, times the column before. Also in out/benchmarks/pipeline.json.
+back: the stages and what joins them. Milliseconds as benchmarks/measure.py has them. Also in
+out/benchmarks/pipeline.json.
 
 benchmarks/peers.py sets the whole beside other renderers.
 """
@@ -30,13 +30,13 @@ def main():
     facts = measure.begin()
     rows = {"faces": [row(count, 512) for count in measure.FACES],
             "pixels": [row(10_000, size) for size in measure.SIZES]}
-    for key, table in rows.items():
-        measure.show_growth(key, table)
+    for table in rows.values():
+        measure.show(table)
     measure.save("pipeline", facts, {"medians in ms": rows})
 
 
 def row(face_count, size):
-    """{what: number}: one column of the table."""
+    """{what: number}: one row of the table."""
     vertices, faces, clip = measure.sphere(face_count)
     attributes = np.random.default_rng(0).random((len(vertices), 3))
     took = measure.medians(stages(clip, faces, attributes, size))

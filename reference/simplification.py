@@ -338,12 +338,12 @@ def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 p
     while len(faces) > face_count:
         edges, _ = mesh.edges(faces)
         positions, costs = pair_costs(vertices, quadrics, edges)
-        for k in np.argsort(costs, kind="stable"):
-            a, b = edges[k]
-            if not why_refused(vertices, faces_at(faces, a, b), a, b, positions[k]):
-                break
-        else:
+        allowed = (k for k in np.argsort(costs, kind="stable") if not why_refused(
+            vertices, faces_at(faces, *edges[k]), *edges[k], positions[k]))
+        k = next(allowed, None)
+        if k is None:
             return vertices, faces
+        a, b = edges[k]
         vertices[a] = positions[k]
         quadrics[a] += quadrics[b]
         faces = collapse_faces(faces, a, b)

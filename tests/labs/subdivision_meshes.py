@@ -120,31 +120,3 @@ def farthest(points, expected):
     assert_equal(np.shape(points), expected.shape)
     distance = np.linalg.norm(np.asarray(points)[:, None] - expected, axis=-1)
     return max(distance.min(0).max(), distance.min(1).max())
-
-
-# --- polygons in space, for tests/reference ------------------------------------------------------
-
-def polygon_meshes():
-    """Quads, and some of them joined or cut: name -> vertices, corners, counts."""
-    rng = np.random.default_rng(1)
-    return {"cube": (CUBE_VERTICES, *flat(CUBE)),
-            "pyramid": (*published("pyramid", "vertices", "corners", "counts"),),
-            "house, open": (rng.normal(size=(12, 3)), *flat(POLYGONS["house, open"][1])),
-            "two holes": plate_with_two_holes(),
-            "triangles": (mesh.torus(36)[0], *flat(mesh.torus(36)[1])),
-            "band with a twist": (rng.normal(size=(10, 3)), *flat(MOEBIUS))}
-
-
-def plate_with_two_holes():
-    """5 x 3 squares, the second and the fourth of the middle row missing, as a thick plate."""
-    squares = [(x, y) for y in range(3) for x in range(5) if (x, y) not in ((1, 1), (3, 1))]
-    number, faces = {}, []
-    for x, y in squares:
-        ring = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
-        faces += [[(*c, 1) for c in ring], [(*c, 0) for c in ring[::-1]]]
-        for (dx, dy), a, b in zip([(0, -1), (1, 0), (0, 1), (-1, 0)], ring, ring[1:] + ring[:1],
-                                  strict=True):
-            if (x + dx, y + dy) not in squares:
-                faces.append([(*a, 0), (*b, 0), (*b, 1), (*a, 1)])
-    corners = [number.setdefault(corner, len(number)) for face in faces for corner in face]
-    return np.array(list(number), float), np.array(corners), np.full(len(faces), 4)

@@ -233,6 +233,26 @@ def test_both_faces_at_an_edge_agree_on_the_silhouette(impl, rng):
             assert_equal(both, [sides[0] * sides[1] > 0] * 2, given=f"x={x}, y={y}, edge {a} {b}")
 
 
+@exercise("8.2")
+def test_the_unit_of_w_does_not_matter(impl):
+    """w < 1 is taken for behind the camera; only its sign counts."""
+    x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
+    faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
+    for w in [0.5, 2.0, 0.5, 2.0], [2.0, 0.5, 2.0, 2.0], [0.01, 0.01, 3.0, 5.0]:
+        got = silhouettes(impl, x, y, np.array(w), faces, opposite)
+        assert_equal(got, [[False, True, True], [True, True, False]])
+
+
+@exercise("8.2")
+def test_w_moves_no_point_on_screen(impl):
+    """x and y are multiplied by w, or divided by it: they are on screen already."""
+    x, y = np.array([1.0, 3.0, 2.0, 2.0]), np.array([5.0, 5.0, 6.0, 4.0])
+    faces, opposite = np.array([[0, 1, 2], [1, 0, 3]]), np.array([[-1, -1, 3], [-1, -1, 2]])
+    expected = [[True, True, False], [True, True, False]]  # flat at edge (0, 1)
+    for w in [1.0, 1.0, 1.0, 2.0], [1.0, 1.0, 1.0, 0.5], [1.0, 1.0, 2.0, 2.0], [2.0, 2.0, 1.0, 1.0]:
+        assert_equal(silhouettes(impl, x, y, np.array(w), faces, opposite), expected)
+
+
 # --- pairs -------------------------------------------------------------------------------------
 
 NO_PAIRS = np.zeros(0, int), np.zeros(0, int)
@@ -404,6 +424,16 @@ def test_an_end_near_infinity_costs_no_digits(impl):
     for ends in near + far, far + near:
         got = impl.crossing(*np.array([ends]).T)
         assert_close(got, [0.25 + 2999999999.75 / 4000000001], rtol=1e-14)
+
+
+@exercise("8.7", fine_print=True)
+def test_the_nearer_end_is_found_on_either_side(impl):
+    """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
+    c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
+    for sign in 1, -1:
+        near, far = [0.3, sign * 0.1], [3e12, sign * 1e12]
+        for ends in near + far, far + near:
+            assert_close(impl.crossing(*np.array([ends]).T), [c], rtol=1e-9, atol=1e-9)
 
 
 @exercise("8.8")
@@ -776,33 +806,3 @@ def test_without_pairs_the_gradient_passes_through(impl):
     grad_output = np.arange(12.0).reshape(2, 3, 2)
     got = impl.blend_backward(grad_output, colours(), *NO_PAIRS, np.zeros(0))
     assert_close(got, (grad_output, np.zeros(0)))
-
-
-@exercise("8.2")
-def test_the_unit_of_w_does_not_matter(impl):
-    """w < 1 is taken for behind the camera; only its sign counts."""
-    x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
-    faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
-    for w in [0.5, 2.0, 0.5, 2.0], [2.0, 0.5, 2.0, 2.0], [0.01, 0.01, 3.0, 5.0]:
-        got = silhouettes(impl, x, y, np.array(w), faces, opposite)
-        assert_equal(got, [[False, True, True], [True, True, False]])
-
-
-@exercise("8.2")
-def test_w_moves_no_point_on_screen(impl):
-    """x and y are multiplied by w, or divided by it: they are on screen already."""
-    x, y = np.array([1.0, 3.0, 2.0, 2.0]), np.array([5.0, 5.0, 6.0, 4.0])
-    faces, opposite = np.array([[0, 1, 2], [1, 0, 3]]), np.array([[-1, -1, 3], [-1, -1, 2]])
-    expected = [[True, True, False], [True, True, False]]  # flat at edge (0, 1)
-    for w in [1.0, 1.0, 1.0, 2.0], [1.0, 1.0, 1.0, 0.5], [1.0, 1.0, 2.0, 2.0], [2.0, 2.0, 1.0, 1.0]:
-        assert_equal(silhouettes(impl, x, y, np.array(w), faces, opposite), expected)
-
-
-@exercise("8.7", fine_print=True)
-def test_the_nearer_end_is_found_on_either_side(impl):
-    """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
-    c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
-    for sign in 1, -1:
-        near, far = [0.3, sign * 0.1], [3e12, sign * 1e12]
-        for ends in near + far, far + near:
-            assert_close(impl.crossing(*np.array([ends]).T), [c], rtol=1e-9, atol=1e-9)

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.checks import assert_close, assert_equal, exercise
 
 
 def sides(planes, x, y):
@@ -321,47 +321,3 @@ def test_horizontal_edges_take_all_or_nothing(impl):
     start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, np.array([0.0, 2.0]),
                                    np.array([8.0, 7.0]))
     assert_close(np.maximum(end - start, 0), [0.0, 8.0, 8.0, 5.0, 0.0, 0.0])
-
-
-def planes_loop(clip, faces, width, height):
-    """What `rasterize` must draw: every face at every pixel, by the definition of its planes."""
-    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
-    w = clip[:, 3]
-    x, y, z = (clip[:, 0] / w + 1) * width / 2, (clip[:, 1] / w + 1) * height / 2, clip[:, 2] / w
-    for f, corners in enumerate(faces):
-        p, q, r = np.roll(corners, -np.argmax(np.abs(w[corners])))
-        x1, y1, z1, x2, y2, z2 = (v[k] - v[p] for k in (q, r) for v in (x, y, z))
-        area = x1 * y2 - x2 * y1
-        for i, j in np.ndindex(height, width):
-            px, py = j + 0.5, i + 0.5
-            sides = [agreed_side(x, y, w, s, t, px, py) for s, t in ((q, r), (r, p), (p, q))]
-            signs = np.sign(area) * np.sign(w[[p, q, r]])
-            if area and all(m * e > 0 or (e == 0 and (m * n_x > 0 or (n_x == 0 and m * n_y > 0)))
-                            for m, (e, n_x, n_y) in zip(signs, sides, strict=True)):
-                d = (z1 * y2 - z2 * y1) / area * (px - x[p]) \
-                    + ((x1 * z2 - x2 * z1) / area * (py - y[p]) + z[p])
-                if abs(d) <= 1 and d < depth[i, j]:
-                    face_index[i, j], depth[i, j] = f, d
-    return face_index, depth
-
-
-def agreed_side(x, y, w, s, t, px, py):
-    """e and n of the edge from vertex s to t at (px, py), from the end that both its faces take."""
-    base = max((s, t), key=lambda v: (abs(w[v]), -x[v], -y[v]))
-    n_x, n_y = y[s] - y[t], x[t] - x[s]
-    return n_x * (px - x[base]) + n_y * (py - y[base]), n_x, n_y
-
-
-@pytest.mark.parametrize("scene", range(4))
-def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
-    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
-    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
-    if scene % 2:  # vertices on pixel centres and corners
-        clip = np.round(clip * 8) / 8
-        clip[:, 3] = 1
-    faces = rng.integers(0, 24, (10, 3))
-    with np.errstate(all="ignore"):
-        got = impl.rasterize(clip, faces, 8, 12)
-        expected = planes_loop(clip, faces, 8, 12)
-    assert_picture(got[0], expected[0])
-    assert_equal(got[1], expected[1])

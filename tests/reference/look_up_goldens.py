@@ -1,7 +1,5 @@
-"""Look-ups as nvdiffrast's kernels make them (tests/golden/README.md), beside ours."""
+"""Look-ups as nvdiffrast's kernels make them (tests/golden/README.md), beside ours; and scenes."""
 import numpy as np
-
-from reference import arrays
 
 TOLERANCE = {"colour": 3e-6, "grad_image": 6e-6, "grad_faces": 6e-6, "grad_uv": 1.5e-4,
              "grad_directions": 1.5e-4, "grad_jacobian": 1e-4, "grad_bias": 4e-6}
@@ -32,10 +30,16 @@ def require_look_ups(look_up, backward, names, golden, scene, config, **given):
         np.testing.assert_allclose(got[name], golden[key], rtol=0, atol=atol, err_msg=name)
 
 
-def require_chunks_change_nothing(look_up, backward, upstream, given, flat_given, monkeypatch):
-    """Neither chunks of 3 rows nor leading shapes: flat_given is given, with one row a pixel."""
-    whole = look_up(*given), *backward(upstream, *given)
-    monkeypatch.setattr(arrays, "ROWS", 3)
-    parts = look_up(*flat_given), *backward(upstream.reshape(-1, 3), *flat_given)
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-15)
+def picture_scene(rng):
+    """image, uv, jacobian and bias, with levels from below 0 to above the pyramid's end."""
+    jacobian = rng.normal(size=(4, 5, 2, 2)) * rng.uniform(0.02, 0.8, (4, 5, 1, 1))
+    return (rng.random((8, 16, 3)), rng.uniform(-0.6, 1.6, (4, 5, 2)), jacobian,
+            rng.normal(size=(4, 5)) / 2)
+
+
+def cube_scene(rng, size=8):
+    """The same with faces and directions."""
+    directions = rng.normal(size=(4, 5, 3))
+    stretch = np.abs(directions).max(-1)[..., None, None] * rng.uniform(0.05, 1.5, (4, 5, 1, 1))
+    return (rng.random((6, size, size, 3)), directions, stretch * rng.normal(size=(4, 5, 3, 2)),
+            rng.normal(size=(4, 5)) / 2)

@@ -3,7 +3,7 @@ a camera.
 """
 import numpy as np
 
-from reference import transforms
+from reference import antialiasing, scanline, transforms
 
 
 def camera(eye, at=(0.0, 0.0, 0.0), fov_y=0.8, aspect=1.0, near=0.1, far=10.0):
@@ -16,6 +16,13 @@ def on_screen(x, y, width, height, z=0.0):
     """Clip positions of screen points, w = 1."""
     x, y, z = np.broadcast_arrays(np.asarray(x, float), y, z)
     return np.stack([2 * x / width - 1, 2 * y / height - 1, z, np.ones(x.shape)], -1)
+
+
+def drawn(clip, faces, width, height):
+    """What lab 8 asks of a picture: face_index, depth, clip, faces, opposite. And it in white."""
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
+    white = (face_index >= 0)[..., None].astype(float)
+    return (face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)), white
 
 
 def soup(rng, behind=False):

@@ -1,19 +1,17 @@
 """What lab 8 says of zero gradients, and of pixels with too many edges."""
 import numpy as np
 import pytest
-from screen_scenes import on_screen, soup
+from screen_scenes import drawn, on_screen, soup
 
-from reference import antialiasing, diagnosis, outlines, scanline
+from reference import diagnosis, outlines
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_why_zero_names_exactly_what_has_no_gradient(seed):
     """A vertex or pixel with a gradient is said to have none, or the other way round."""
     rng = np.random.default_rng(seed)
-    clip, faces = soup(rng, behind=True)
-    face_index, depth = scanline.rasterize(clip, faces, 30, 22)
-    colour = rng.normal(size=(22, 30, 2))
-    arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
+    arguments, _ = drawn(*soup(rng, behind=True), 30, 22)
+    face_index, colour = arguments[0], rng.normal(size=(22, 30, 2))
     pixel, vertex = diagnosis.why_zero(*arguments)
     grad_output = rng.normal(size=colour.shape)
     grad_clip = outlines.antialias_backward(grad_output, colour, *arguments)[1]
@@ -29,9 +27,7 @@ def test_why_zero_names_exactly_what_has_no_gradient(seed):
 def test_why_zero_tells_the_reasons_apart():
     """Another reason than the true one, in scenes made for one reason each."""
     def reasons(clip, faces, width=8, height=6):
-        face_index, depth = scanline.rasterize(clip, faces, width, height)
-        opposite = antialiasing.opposite_vertices(faces)
-        pixel, vertex = diagnosis.why_zero(face_index, depth, clip, faces, opposite)
+        pixel, vertex = diagnosis.why_zero(*drawn(clip, faces, width, height)[0])
         names = diagnosis.REASONS
         return [names[r] for r in vertex], {names[r] for r in pixel.flat}
 
@@ -63,9 +59,7 @@ def test_too_many_edges_in_one_pixel_are_found():
     corners = np.stack([np.stack([x0, x1, x1, x0], 1), np.stack([y0, y0, y1, y1], 1)], -1)
     clip = on_screen(*corners.reshape(-1, 2).T, 5, 6)
     faces = (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
-    face_index, depth = scanline.rasterize(clip, faces, 5, 6)
-    colour = (face_index >= 0)[..., None].astype(float)
-    rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
+    rest, colour = drawn(clip, faces, 5, 6)
     output = outlines.antialias(colour, *rest)[..., 0]
     beyond = diagnosis.overblended(colour, *rest)
     np.testing.assert_array_equal(beyond, (output > 1 + 1e-9) | (output < -1e-9))

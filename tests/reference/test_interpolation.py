@@ -41,36 +41,6 @@ def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
     np.testing.assert_allclose(got[i, j], expected, rtol=0, atol=1e-12)
 
 
-def test_footprints_are_differences_between_neighbouring_rays():
-    """dA/dx is per picture and not per pixel, or belongs to another place in the pixel."""
-    width, height, h = 40, 30, 1e-4
-    positions, faces, clip, eye, clip_from_world = floor(width, height)
-    face_index, _ = scanline.rasterize(clip, faces, width, height)
-    derivatives = rasterization.barycentrics_derivatives(face_index, clip, faces)
-    got = interpolation.interpolate_derivatives(positions, faces, face_index, derivatives)
-    i, j = np.nonzero(face_index >= 0)
-
-    def point(dx, dy):
-        return on_the_floor(j + 0.5 + dx, i + 0.5 + dy, eye, clip_from_world, width, height)
-
-    expected = np.stack([point(h, 0) - point(-h, 0), point(0, h) - point(0, -h)], -1) / (2 * h)
-    np.testing.assert_allclose(got[i, j], expected, rtol=1e-6, atol=1e-8)
-
-
-def test_screen_weights_corrected_are_the_rasterizers():
-    """Lab 2's b of eq. (5) is not eq. (3) of its screen weights and the corners' w."""
-    width, height = 40, 30
-    _, faces, clip, *_ = floor(width, height, face_count=18)
-    face_index, _ = scanline.rasterize(clip, faces, width, height)
-    seen = face_index >= 0
-    on_screen = rasterization.barycentrics(face_index, clip / clip[:, 3:], faces)[seen]
-    w = clip[faces[face_index[seen]], 3]
-    expected = rasterization.barycentrics(face_index, clip, faces)[seen]
-    assert np.abs(on_screen - expected).max() > 0.05
-    got = interpolation.barycentric_from_screen(on_screen, w)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
-
-
 def test_the_derivatives_are_the_rasterizers():
     """Eq. (4) of the edge functions' normals is not lab 2's db/dx, db/dy."""
     rng = np.random.default_rng(4)
@@ -82,36 +52,6 @@ def test_the_derivatives_are_the_rasterizers():
     expected = np.stack(rasterization.barycentric_derivatives(px, py, x, y, w)).T
     scale = np.abs(expected).max((1, 2), keepdims=True)
     np.testing.assert_allclose(got / scale, expected / scale, rtol=0, atol=1e-12)
-
-
-def bunny(width, height):
-    """Vertices, faces, face_index and barycentrics of the bunny."""
-    vertices, faces = mesh.bunny()
-    vertices = mesh.normalize(vertices)
-    clip = transforms.transform(transforms.to_homogeneous(vertices),
-                                camera([-1.3, 0.7, 2.2], aspect=width / height))
-    face_index, _ = scanline.rasterize(clip, faces, width, height)
-    return vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
-
-
-def test_whole_pictures_and_the_loops_agree():
-    """The matrix and the loop sum in the same order: they differ by a fused multiply at most."""
-    given = bunny(64, 48)
-    grad_output = np.random.default_rng(6).normal(size=(48, 64, 3))
-    assert (given[2] >= 0).sum() > 500
-    loop, fast = (function(*given) for function in
-                  (interpolation.interpolate_loop, interpolation.interpolate))
-    np.testing.assert_allclose(fast, loop, rtol=1e-14, atol=1e-15)
-    loop, fast = (function(grad_output, *given) for function in
-                  (interpolation.interpolate_backward_loop, interpolation.interpolate_backward))
-    np.testing.assert_allclose(fast[0], loop[0], rtol=1e-13, atol=1e-13)
-    np.testing.assert_allclose(fast[1], loop[1], rtol=1e-13, atol=1e-14)
-
-
-def test_the_backward_pass_of_a_mesh():
-    """A picture of a mesh, all the way: its gradients by attributes and weights."""
-    gradcheck(interpolation.interpolate, interpolation.interpolate_backward, bunny(20, 15),
-              name="interpolate_bunny")
 
 
 @pytest.mark.parametrize("row", [-1, 4, 10**8])

@@ -97,17 +97,6 @@ def test_the_light_on_paper():
     np.testing.assert_allclose(found, [[5.5, 11, 16.5], [2.5, 5, 7.5], [0.3, 0.6, 0.9]])
 
 
-def test_the_gradient_of_the_shading(rng):
-    """A factor of the product rule is missing, or what faces away from the sun moves it."""
-    x, around = looks(rng, 20), received(rng, 20)
-
-    def backward(grad, *parts):
-        return lab.shade_with_sun_backward(grad, lab.Appearance(*parts, 1.2), around)[:4]
-
-    gradcheck(lambda *parts: lab.shade_with_sun(lab.Appearance(*parts, 1.2), around), backward,
-              (*x[:3], np.array(x.near)), name="shade")
-
-
 def test_at_sunrise_a_lamp_is_found():
     """x, y and z are exchanged, or the light becomes brighter."""
     towards = np.array([[0.48, 0.6, 0.64]])
@@ -152,15 +141,6 @@ def test_patches_hardly_depend_on_how_bright_the_paint_is():
     edges = np.array([[0, 1]])
     costs = [lab.patches(factor * albedo, edges, 1.0, 1.0, 0.1) for factor in (1.0, 0.5)]
     assert costs[1] > 0.75 * costs[0]
-
-
-def test_the_gradients_of_the_priors(rng):
-    """The mean, the root or the logarithm is forgotten on the way back."""
-    x = looks(rng, 30)
-    edges = np.stack([np.arange(30), rng.permutation(30)], 1)
-    gradcheck(lab.neutral, lab.neutral_backward, (x.light, x.sun), name="neutral")
-    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3, rng.random(30), 0.4),
-              differentiable=[0], name="patches")
 
 
 def test_in_shade_colours_tell_little_and_in_bright_light_they_are_not_believed():

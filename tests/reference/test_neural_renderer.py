@@ -33,16 +33,6 @@ def test_many_chunks_agree_with_the_loop(rng, monkeypatch):
     test_the_loop_and_whole_meshes_agree_to_the_bit(rng)
 
 
-def test_they_agree_on_a_mesh_and_on_grids_of_centres():
-    """Centres exactly on shared edges and vertices."""
-    teapot = neural_renderer.corners_of(*teapot_clip())
-    points, faces = mesh.grid(32)
-    flat = np.concatenate([(points[:, :2] + 0.5) / 4 - 1, np.ones((len(points), 1))], 1)[faces]
-    for corners in (teapot, flat):
-        assert_equal(neural_renderer.rasterize(corners, 24, 8),
-                     neural_renderer.rasterize_loop(corners, 24, 8))
-
-
 def test_the_picture_is_that_of_lab_2():
     """Half a pixel off, rows upside down, or z of clip space for the distance."""
     clip, faces = teapot_clip()
@@ -60,15 +50,6 @@ def test_the_picture_is_that_of_lab_2():
     np.testing.assert_allclose(depth[seen][same], w_there, rtol=1e-9)
     right = weight[seen][same] * depth[seen][same][:, None]
     np.testing.assert_allclose(right / clip[front[expected[seen][same]], 3], b, atol=1e-9)
-
-
-def test_its_inverse_is_the_edge_functions_over_twice_the_area(rng):
-    """The identity that ties labs 2, 7 and 10 together."""
-    p = rng.uniform(0, 7, (9, 2))
-    c = np.column_stack([p, np.ones(9)]) @ neural_renderer.face_inverse(SLANTED).T
-    e = np.stack([rasterization.edge_function(p, SLANTED[i], SLANTED[j])
-                  for i, j in rasterization.EDGES], 1)
-    np.testing.assert_allclose(c, e / (2 * rasterization.signed_area(SLANTED)), atol=1e-12)
 
 
 def fixed_faces(corners, *_):

@@ -1,9 +1,9 @@
 """The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
-from screen_scenes import camera, on_screen, soup
+from screen_scenes import drawn, on_screen, soup
 
-from reference import antialiasing, outlines, rasterization, sampling, scanline, transforms
+from reference import antialiasing, outlines, rasterization, sampling
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -44,31 +44,13 @@ def test_gradients_are_those_of_nvdiffrast(scene):
     np.testing.assert_allclose(got[1], grad_clip, rtol=0, atol=1e-9 * np.abs(grad_clip).max())
 
 
-def test_on_an_exact_tie_the_outline_is_missed_as_nvdiffrast_misses_it():
-    """A corner on the line counts as below: then the scene gridaligned is not nvdiffrast's. 1e-9
-    away the pixel is blended, from either side.
-    """
-    vertices = np.array([[-0.53, 0, 0], [-0.5, -0.5, 0], [0.5, -0.5, 0], [0.53, 0, 0],
-                         [0.5, 0.5, 0], [-0.5, 0.5, 0]])
-    faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
-    shown = []
-    for shift in 0.0, 1e-9, -1e-9:
-        clip = np.column_stack([vertices + [0, shift, 0], np.ones(6)])
-        opposite = antialiasing.opposite_vertices(faces)
-        face_index, depth = scanline.rasterize(clip, faces, 9, 9)
-        colour = (face_index >= 0).astype(float)[..., None]
-        shown.append(outlines.antialias(colour, face_index, depth, clip, faces, opposite)[4, 6, 0])
-    np.testing.assert_allclose(shown, [1, 0.885, 0.885], rtol=0, atol=1e-7)
-
-
 # --- pictures ----------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("seed", range(4))
 def test_silhouettes_are_those_of_the_faces_that_are_seen(seed):
     """A face is left out, or one that reaches behind the camera is taken for one in front."""
-    clip, faces = soup(np.random.default_rng(seed), behind=True)
-    opposite = antialiasing.opposite_vertices(faces)
-    face_index, _ = scanline.rasterize(clip, faces, 30, 22)
+    seen, _ = drawn(*soup(np.random.default_rng(seed), behind=True), 30, 22)
+    face_index, _, clip, faces, opposite = seen
     screen = rasterization.screen_points(clip, 30, 22)
     expected = np.vstack([antialiasing.silhouette_edges(*screen, faces, opposite), [[False] * 3]])
     expected[np.setdiff1d(np.arange(len(faces)), face_index)] = False
@@ -88,49 +70,23 @@ def test_pictures_without_faces_or_with_hostile_vertices():
     rng, faces = np.random.default_rng(0), np.array([[0, 1, 2], [3, 4, 5], [1, 2, 6]])
     clip = np.concatenate([on_screen([1.1, 8.3, 2.2], [1.3, 2.4, 7.1], 9, 8),
                            [[np.nan, 0, 0, 1], [0, np.inf, 0, 1], [0, 0, 0, 0], [0, 0, np.nan, 1]]])
-    face_index, depth = scanline.rasterize(clip, faces, 9, 8)
+    seen, _ = drawn(clip, faces, 9, 8)
     colour = rng.normal(size=(8, 9, 2))
-    arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     with np.errstate(all="raise"):
-        grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *arguments)
+        grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *seen)
     assert np.isfinite(grad_colour).all() and np.isfinite(grad_clip).all()
     assert grad_clip[:3, [0, 1, 3]].all() and not grad_clip[3:].any()
-
-
-def test_a_floor_is_blended_however_it_is_cut_into_faces():
-    """A face that reaches behind the camera owns no edge, or a mirrored one."""
-    clip_from_world = camera([0.1, 0.4, 0.35], (0.1, 0.0, -0.6), 1.0, 4 / 3, 0.05, 9.0)
-    pictures = []
-    for n in 1, 2, 5:
-        steps = np.linspace(-1, 1, n + 1)
-        x, z = (values.ravel() for values in np.meshgrid(steps, -steps))
-        k = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-        faces = np.concatenate([np.stack([k, k + 1, k + n + 2], 1),
-                                np.stack([k, k + n + 2, k + n + 1], 1)])
-        points = np.stack([x, 0 * x, z, np.ones(len(x))], 1)
-        clip = transforms.transform(points, clip_from_world)
-        face_index, depth = scanline.rasterize(clip, faces, 40, 30)
-        colour = (face_index >= 0)[..., None].astype(float)
-        opposite = antialiasing.opposite_vertices(faces)
-        pictures.append(outlines.antialias(colour, face_index, depth, clip, faces, opposite))
-    assert (clip[:, 3] < 0).any() and np.count_nonzero(pictures[0] % 1) > 30
-    for picture in pictures[1:]:  # but for a few pairs whose last edge is one of the cuts
-        differs = np.abs(picture - pictures[0]) > 1e-9
-        assert np.count_nonzero(differs) <= np.count_nonzero(pictures[0] % 1) / 4
 
 
 def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
     """The backward pass divides by another w than the forward pass: infinity and NaN."""
     clip = np.array([[-0.3, -0.8, 0, 1], [0.2, -0.7, 0, 1], [0.4, 0.9, 0, 0]])
-    faces = np.arange(3)[None]
 
     def gradient(w):
         clip[2, 3] = w
-        face_index, depth = scanline.rasterize(clip, faces, 16, 12)
-        colour = (face_index >= 0)[..., None].astype(float)
+        seen, white = drawn(clip, np.arange(3)[None], 16, 12)
         grad_output = np.arange(192.0).reshape(12, 16, 1) % 7
-        arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
-        return outlines.antialias_backward(grad_output, colour, *arguments)[1]
+        return outlines.antialias_backward(grad_output, white, *seen)[1]
 
     np.testing.assert_allclose(gradient(0.0)[:2], gradient(1e-7)[:2], rtol=1e-4)
     assert np.isfinite(gradient(0.0)).all() and gradient(0.0)[2].any()
@@ -147,26 +103,14 @@ def test_the_smallest_difference_in_depth_decides():
 
 def one_triangle(triangle, width, height):
     """-> its antialiased coverage (height, width), and backward(grad) -> grad_triangle (3, 2)."""
-    clip, faces = on_screen(*triangle.T, width, height), np.array([[0, 1, 2]])
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    colour = (face_index >= 0)[..., None].astype(float)
-    arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
+    clip = on_screen(*triangle.T, width, height)
+    seen, white = drawn(clip, np.arange(3)[None], width, height)
 
     def backward(grad):
-        grad_clip = outlines.antialias_backward(grad[..., None], colour, *arguments)[1]
+        grad_clip = outlines.antialias_backward(grad[..., None], white, *seen)[1]
         return grad_clip[:, :2] * 2 / [width, height]
 
-    return outlines.antialias(colour, *arguments)[..., 0], backward
-
-
-def test_coverage_is_exact_along_rows_and_columns():
-    """The blend is off where it can be exact: edges along the pixels' sides, corners left out."""
-    triangle = np.array([[2.3, -90.0], [2.3, 90.0], [-90.0, 0.0]])  # in the picture: x < 2.3
-    for position in np.linspace(1.6, 3.4, 10):
-        triangle[:2, 0] = position
-        for sides in triangle, triangle[:, ::-1].copy():
-            got, _ = one_triangle(sides, 6, 5)
-            np.testing.assert_allclose(got, sampling.pixel_coverage(sides, 6, 5), rtol=0, atol=1e-9)
+    return outlines.antialias(white, *seen)[..., 0], backward
 
 
 def test_coverage_and_its_gradient_are_near_the_exact_ones():

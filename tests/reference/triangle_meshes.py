@@ -1,69 +1,20 @@
-"""What tests of lab 11 subdivide: triangle meshes of all kinds, and what is on their boundary."""
-import itertools
-
+"""What tests of lab 11 subdivide: meshes of triangles, and of polygons."""
 import numpy as np
 import pytest
-import scipy.spatial
-from subdivision_meshes import MOEBIUS, farthest, polygon_meshes
+from subdivision_meshes import CUBE, CUBE_VERTICES, MOEBIUS, flat, published
+from subdivision_meshes import POLYGONS as FACES
 
 from course.given import mesh
-from reference import subdivision
 
-
-def triangle_meshes():
-    rng = np.random.default_rng(0)
-    return {
-        "sphere": mesh.icosphere(80), "torus": mesh.torus(100), "sheet": mesh.plane(32),
-        "sphere with holes": with_holes(*mesh.icosphere(180), rng),
-        "torus with holes": with_holes(*mesh.torus(144), rng),
-        "band with a twist": (rng.normal(size=(10, 3)), MOEBIUS),
-        "cube and a sheet": together(mesh.cube(12), mesh.plane(8)),
-        "irregular, open": irregular(60, rng)}
-
-
-def with_holes(vertices, faces, rng):
-    """Without the faces at two far vertices: two holes, and two vertices of no face."""
-    removed = [0, np.linalg.norm(vertices - vertices[0], axis=1).argmax()]
-    return vertices, rng.permutation(faces[~np.isin(faces, removed).any(1)])
-
-
-def irregular(count, rng):
-    """Points in a square and their Delaunay triangles, those in the middle away."""
-    points = rng.random((count, 2))
-    faces = scipy.spatial.Delaunay(points).simplices.astype(np.int64)
-    kept = np.linalg.norm(points[faces].mean(1) - 0.5, axis=1) > 0.2
-    corners, origin = subdivision.split_fans(*subdivision.triangles(faces[kept]))
-    return np.stack([*points[origin].T, rng.random(len(origin))], axis=1), corners.reshape(-1, 3)
-
-
-def together(one, other):
-    return (np.concatenate([one[0], other[0] + 5.0]),
-            np.concatenate([one[1], other[1] + len(one[0])]))
-
-
-MESHES, POLYGONS = triangle_meshes(), polygon_meshes()
+BAND = np.random.default_rng(0).normal(size=(10, 3))
+SHEET, SHEET_FACES = mesh.plane(32)
+MESHES = {"torus": mesh.torus(100), "band with a twist": (BAND, MOEBIUS),
+          "sheet and a lone vertex": (np.vstack([SHEET, [5.0, 6.0, 7.0]]), SHEET_FACES)}
+POLYGONS = {  # name -> vertices, corners, counts
+    "cube": (CUBE_VERTICES, *flat(CUBE)),
+    "pyramid": (*published("pyramid", "vertices", "corners", "counts"),),
+    "house, open": (np.random.default_rng(1).normal(size=(12, 3)), *flat(FACES["house, open"][1])),
+    "triangles": (mesh.torus(36)[0], *flat(mesh.torus(36)[1])),
+    "band with a twist": (BAND, *flat(MOEBIUS))}
 each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGONS.values(),
                                             ids=POLYGONS)
-
-
-def valence_and_boundary(corners, counts, vertex_count):
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    return subdivision.valences(edges, vertex_count), at_boundary
-
-
-def require_spline(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary are a cubic spline's."""
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    rows = np.concatenate([at_boundary, is_boundary])
-    rows = S[:len(rows)][rows]
-    assert rows[:, ~at_boundary].nnz == 0
-    assert set(rows.data) <= {1 / 8, 3 / 4, 1 / 2}
-
-
-def require_symmetric(points):
-    """A direction is preferred: the 48 symmetries of a cube."""
-    for axes in itertools.permutations(range(3)):
-        for signs in itertools.product([1, -1], repeat=3):
-            assert farthest(points[:, axes] * signs, points) < 1e-14
