@@ -3,11 +3,9 @@
     skeleton   makes labs/ from reference/
     extras     opens extras in labs/, and closes them
     errata     the page of what the lectures correct in their sources
-    pictures   the pictures of a lecture: packed, described, compared
-    questions  the pictures of course/bridge/README.md
-    origins    what a lecture was made from: must it run again?
-    notebooks  runs the lectures, and writes them back
-    comparing  does a lecture's run give what its file has?
+    pictures   the pictures of a lecture: packed, described
+    outcomes   do two runs of a lecture's cell say the same?
+    notebooks  which lectures are older than their code; runs them, and writes them back
     hours      how long a lab takes
     weight     how much code stands around the code that is taught
     changes    a wrong function, written as what is different from the right one

@@ -24,20 +24,28 @@ WITHOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tok
            tokenize.ENCODING, tokenize.ENDMARKER}
 
 
-def code_lines(text: str) -> int:
-    """The lines of a Python text that hold code. Of a text that is no Python: those not blank."""
-    lines, statement = set(), []
+def lines_with_code(text: str) -> list[str]:
+    """The lines of a Python text that hold code, without comments. Of another text: not blank ones.
+    """
+    lines, numbers, statement = text.splitlines(), set(), []
     try:
         for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            row, column = token.start
+            if token.type == tokenize.COMMENT:
+                lines[row - 1] = lines[row - 1][:column].rstrip()
             if token.type not in WITHOUT:
                 statement.append(token)
             if token.type == tokenize.NEWLINE:
                 if any(part.type != tokenize.STRING for part in statement):
-                    lines.update(*(range(part.start[0], part.end[0] + 1) for part in statement))
+                    numbers.update(*(range(part.start[0], part.end[0] + 1) for part in statement))
                 statement = []
     except (tokenize.TokenError, SyntaxError):
-        return sum(line.strip() != "" for line in text.splitlines())
-    return len(lines)
+        return [line for line in text.splitlines() if line.strip()]
+    return [lines[number - 1] for number in sorted(numbers)]
+
+
+def code_lines(text: str) -> int:
+    return len(lines_with_code(text))
 
 
 def lines_of(path: str, text: str) -> int:
