@@ -10,8 +10,6 @@ import textwrap
 import warnings
 from typing import NamedTuple
 
-CONTEXT, WIDEST = 16, 44     # letters shown to each side of a change, and of all of it
-
 SWAPPED = {ast.Add: (ast.Sub,), ast.Sub: (ast.Add,), ast.Mult: (ast.Div,), ast.Div: (ast.Mult,),
            ast.FloorDiv: (ast.Div,), ast.Mod: (ast.FloorDiv,), ast.Pow: (ast.Mult,),
            ast.BitAnd: (ast.BitOr,), ast.BitOr: (ast.BitAnd,), ast.BitXor: (ast.BitOr,),
@@ -160,7 +158,7 @@ def mutants(function):
             if text in texts or not is_python(text):
                 continue
             texts.add(text)
-            change = told(ast.unparse(old), ast.unparse(new))
+            change = told(old, new)
             times[change] += 1
             found.append(Mutant(getattr(old, "lineno", statement.lineno), change + (
                 f" (#{times[change]})" if times[change] > 1 else ""), text))
@@ -181,21 +179,4 @@ def is_python(text):
 
 
 def told(old, new):
-    """'a + b -> a - b'; of long texts the place where they differ."""
-    old, new = (" ".join(text.split()) for text in (old, new))
-    start = end = 0
-    if len(old) > WIDEST:
-        start = max(0, alike(old, new) - CONTEXT)
-        end = max(0, alike(old[start:][::-1], new[start:][::-1]) - CONTEXT)
-
-    def part(text):
-        shown = text[start:len(text) - end][:WIDEST]
-        return "..." * (start > 0) + shown + "..." * (start + len(shown) < len(text))
-
-    return f"{part(old)} -> {part(new)}"
-
-
-def alike(old, new):
-    """How many of their first letters are the same."""
-    differ = (k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1])
-    return next(differ, min(len(old), len(new)))
+    return " -> ".join(" ".join(ast.unparse(node).split()) for node in (old, new))

@@ -2,8 +2,8 @@
 
 An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
 written holds no times, addresses, widgets or settings of the author. Where a cell prints and draws
-the same as before, up to what another processor explains, its outputs stay as they are: see
-outcomes.py. So a run after a change that no reader sees writes nothing.
+the same as before, its outputs stay: see outcomes.py. So a run after a change that no reader sees
+writes nothing.
 
 A lecture is older than its code if that, or its own text, has changed since it ran. Which files it
 loaded stands in notebooks/.made_from.json, with one digest of them all. Comments and docstrings do
@@ -182,11 +182,12 @@ def code_of(text):
 
 # From a notebook to what it says
 
-def remade(path):
+def remade(path, elsewhere=False):
     """Run a notebook -> (its bytes before, the notebook, how it differs, what it loaded).
 
-    Outputs that say the same as those that are there stay. ValueError where a cell fails or leaves
-    something that a lecture must not show, OSError where the file cannot be read.
+    Outputs that say the same as those that are there stay: see outcomes.py, also for elsewhere.
+    ValueError where a cell fails or leaves something that a lecture must not show, OSError where
+    the file cannot be read.
     """
     before = read_whole(path)
     stored = {cell.source: cell.outputs for cell in parsed(path).cells if "outputs" in cell}
@@ -194,7 +195,7 @@ def remade(path):
     differences = []
     for cell in notebook.cells:
         was = stored.get(cell.source, [])
-        if found := outcomes.difference(was, cell.get("outputs", [])):
+        if found := outcomes.difference(was, cell.get("outputs", []), elsewhere):
             differences.append(f"{path.name}, {cell.id} {found}")
         elif was:
             cell.outputs = was

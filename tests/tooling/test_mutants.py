@@ -72,15 +72,6 @@ def test_every_mutant_is_another_function_and_only_one_place_is_changed():
         assert sum(a != b for a, b in zip(lines, right, strict=True)) == 1
 
 
-def test_a_change_of_a_long_text_is_shown_where_it_is():
-    """A matrix of four lines twice, and the reader looks for the difference."""
-    left, right = " + ".join("abcdefghijkl"), " * ".join("mnopqrstuvwxyz")
-    told = mutations.told(f"{left} + {right}", f"{left} - {right}")
-    old, new = told.split(" -> ")
-    assert old.replace("l + m", "l - m") == new
-    assert len(told) < 130 and old.startswith("...") and old.endswith("...")
-
-
 def test_the_same_change_in_two_places_has_two_names():
     """A reason for one of them excuses the other."""
     assert [mutant.change for mutant in made('def f(x):\n    "?"\n    return g(x + 1) * x + 1\n')
