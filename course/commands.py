@@ -75,10 +75,10 @@ def demo(asked):
 
 @command(
     option("names", nargs="*", metavar="NAME",
-           help="a topic or a number; without, those whose code or text has changed"),
+           help="a topic or a number; without, those that are older than their code"),
     option("--all", action="store_true", help="all of them"))
 def notebooks(asked):
-    """Run notebooks from a clean kernel and save them with their figures."""
+    """Run notebooks from a clean kernel, and save what they print and draw otherwise."""
     import course.upkeep.notebooks
     return course.upkeep.notebooks.run(asked.names, everything=asked.all)
 
@@ -266,6 +266,10 @@ def test(asked):
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"), str(ROOT))
     left_out = () if asked.all else ("-m", "not weekly")
     tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
+    import course.upkeep.notebooks
+    if older := course.upkeep.notebooks.older():
+        print(f"{len(older)} lectures are older than their code, which is no mistake; "
+              "python3 -m course notebooks runs them")
     if lint:
         print("course: ruff found what it prints above the tests", file=sys.stderr)
     return tests or lint

@@ -3,13 +3,11 @@
     skeleton   makes labs/ from reference/
     extras     opens extras in labs/, and closes them
     errata     the page of what the lectures correct in their sources
-    pictures   the pictures of a lecture: packed, described, compared
-    questions  the pictures of course/bridge/README.md
-    origins    what a lecture was made from: must it run again?
-    notebooks  runs the lectures, and writes them back
-    comparing  does a lecture's run give what its file has?
-    hours      how long a lab takes
+    pictures   the pictures of a lecture: packed, described
+    outcomes   do two runs of a lecture's cell say the same?
     weight     how much code stands around the code that is taught
+    notebooks  which lectures are older than their code; runs them, and writes them back
+    hours      how long a lab takes
     changes    a wrong function, written as what is different from the right one
     mutations  the small changes that a machine can make
     trials     wrong functions in the place of the right one, judged by the checks

@@ -20,25 +20,24 @@ from .. import exercises
 from ..checks.showing import plural
 from ..given import places
 from .changes import entries, function_of
-from .mutations import mutants, nameless
+from .mutations import mutants
 from .trials import Trial, caught_by
 
 GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
 
 
 class Score(NamedTuple):
-    """What became of an exercise's mutants, counted: those of its question, and how many of them
-    were caught, then those that only its fine print catches. survivors: [Mutant].
+    """What became of mutants, counted: those of the question, and how many of them were caught,
+    then those that only the fine print catches, and those that are excused.
     """
 
-    topic: str
-    exercise: exercises.Exercise
     mutants: int
     caught: int
     fine_print: int
-    survivors: list
     known: int
-    stale: list
+
+
+NONE = Score(0, 0, 0, 0)
 
 
 def equivalents(topic):
@@ -58,25 +57,24 @@ def equivalents(topic):
     return reasons
 
 
-def listed(exercise, function, reasons):
-    """{change without the function's own names: as the list writes it} of an exercise."""
-    return {nameless(change, function): change for number, change in reasons
-            if number == exercise.number}
-
-
-def score(topic, exercise, reasons):
-    """Let the checks of an exercise judge its mutants -> Score."""
-    function = function_of(topic, exercise)
-    tried, excused = mutants(function), listed(exercise, function, reasons)
+def score(topic, exercise):
+    """Let the checks of an exercise judge its mutants -> its Score, and lines on what lives, and on
+    what is said to be equivalent in vain.
+    """
+    number, tried = exercise.number, mutants(function_of(topic, exercise))
+    excused = {change for one, change in equivalents(topic) if one == number}
     verdicts = caught_by(topic, [Trial(exercise, mutant.text) for mutant in tried])
-    alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if not verdict]
-    named = {nameless(mutant.change, function): mutant for mutant in alive}
-    survivors = [mutant for key, mutant in named.items() if key not in excused]
-    stale = [change for key, change in excused.items() if key not in named]
-    known = len(alive) - len(survivors)
+    alive = {mutant.change: mutant for mutant, verdict in zip(tried, verdicts, strict=True)
+             if not verdict}
+    survivors = alive.keys() - excused
     fine = sum(bool(verdict) and verdict[0].fine_print for verdict in verdicts)
+    known = len(alive) - len(survivors)
     counted = len(tried) - known - fine
-    return Score(topic, exercise, counted, counted - len(survivors), fine, survivors, known, stale)
+    return Score(counted, counted - len(survivors), fine, known), [
+        *(f"{number}  {change}\n      lives, reference/{topic}.py:{mutant.line}"
+          for change, mutant in alive.items() if change in survivors),
+        *(f"{number}  {change}\n      is listed as equivalent, but is caught, or is no mutant"
+          for change in sorted(excused - alive.keys()))]
 
 
 def run(target=None):
@@ -86,25 +84,25 @@ def run(target=None):
     mutants and 98 % of the core's are caught, else 1.
     """
     labs, asked = exercises.asked_for(target)
-    wanted = [(topic, exercise, equivalents(topic))
-              for topic, exercises in labs.items() for exercise in exercises
+    wanted = [(topic, exercise) for topic, exercises in labs.items() for exercise in exercises
               if exercise.number in asked]
-    scores = []
+    scores, remarks = {"core": [NONE], "extra": [NONE]}, []
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # each thread waits for a process of its own
-        for found in pool.map(lambda one: score(*one), wanted):
-            scores.append(found)
-            print(row(found.exercise.number, found.exercise.name, found), flush=True)
-    core, extra = ([s for s in scores if s.exercise.is_extra == kind] for kind in (False, True))
-    print(*(row(name, plural(len(found), "exercise"), all_together(found))
-            for name, found in (("core", core), ("extra", extra)) if found),
-          *(text for found in scores for text in remarks(found)), sep="\n")
-    too_low = any(share(s) < GOAL_EXERCISE for s in scores)
-    return int(too_low or share(all_together(core)) < GOAL_COURSE)
+        judged = pool.map(lambda one: score(*one), wanted)
+        for (_, exercise), (found, said) in zip(wanted, judged, strict=True):
+            scores["extra" if exercise.is_extra else "core"].append(found)
+            remarks += said
+            print(row(exercise.number, exercise.name, found), flush=True)
+    for name, (_, *found) in scores.items():
+        if found:
+            print(row(name, plural(len(found), "exercise"), together(found)))
+    print(*remarks, sep="\n")
+    too_low = any(share(found) < GOAL_EXERCISE for found in scores["core"] + scores["extra"])
+    return int(too_low or share(together(scores["core"])) < GOAL_COURSE)
 
 
-def all_together(scores):
-    return Score("", None, sum(s.mutants for s in scores), sum(s.caught for s in scores),
-                 sum(s.fine_print for s in scores), [], sum(s.known for s in scores), [])
+def together(scores):
+    return Score(*map(sum, zip(*scores, strict=True)))
 
 
 def share(found):
@@ -116,12 +114,3 @@ def row(number, name, found):
     known = f", and {found.known} equivalent" if found.known else ""
     return (f"{number:>5}  {name:30} {found.caught:4} of {found.mutants:4} caught  "
             f"{100 * share(found):5.1f} %{fine}{known}")
-
-
-def remarks(found):
-    """What lives of an exercise, and what is said to be equivalent in vain."""
-    number, file = found.exercise.number, f"reference/{found.topic}.py"
-    return [*(f"{number}  {mutant.change}\n      lives, {file}:{mutant.line}"
-              for mutant in found.survivors),
-            *(f"{number}  {change}\n      is listed as equivalent, but is caught, or is no mutant"
-              for change in found.stale)]

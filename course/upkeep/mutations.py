@@ -2,21 +2,13 @@
 
 An operator, a number, an index, a comparison, a call is another one, or a term is dropped. A change
 is called by what is read, "a < b -> a <= b", and by its number, "(#2)", where the function has the
-same one before. What the function calls its own variables does not matter there: p < q -> p <= q is
-the same change.
+same one before.
 """
 import ast
-import functools
-import keyword
-import re
+import collections
 import textwrap
 import warnings
 from typing import NamedTuple
-
-from .changes import names_in, own_names
-
-CONTEXT, WIDEST = 8, 30      # tokens shown to each side of a change, and of all of it
-TOKEN = re.compile(r""" ?(?:\w*'[^']*'|\w*"[^"]*"|\.?\w+=?|\S)""")  # .name, name=: not a variable
 
 SWAPPED = {ast.Add: (ast.Sub,), ast.Sub: (ast.Add,), ast.Mult: (ast.Div,), ast.Div: (ast.Mult,),
            ast.FloorDiv: (ast.Div,), ast.Mod: (ast.FloorDiv,), ast.Pow: (ast.Mult,),
@@ -159,18 +151,17 @@ def mutants(function):
     """The Mutants of a function's node, without its docstring, all different, always in one order.
     """
     parts = [ast.unparse(altered(function, body=[])), *map(indented, function.body[1:])]
-    found, texts, keys = [], {"\n".join(parts)}, {}
+    found, texts, times = [], {"\n".join(parts)}, collections.Counter()
     for k, statement in enumerate(function.body[1:], 1):
         for old, new, changed in variants(statement):
             text = "\n".join(put(parts, k, indented(changed)))
             if text in texts or not is_python(text):
                 continue
             texts.add(text)
-            change = told(ast.unparse(old), ast.unparse(new))
-            key = nameless(change, function)
-            keys[key] = keys.get(key, 0) + 1
-            change += f" (#{keys[key]})" if keys[key] > 1 else ""
-            found.append(Mutant(getattr(old, "lineno", statement.lineno), change, text))
+            change = told(old, new)
+            times[change] += 1
+            found.append(Mutant(getattr(old, "lineno", statement.lineno), change + (
+                f" (#{times[change]})" if times[change] > 1 else ""), text))
     return found
 
 
@@ -187,41 +178,5 @@ def is_python(text):
     return True
 
 
-def alike(old, new):
-    """How many of their first tokens are the same."""
-    differ = (k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1])
-    return next(differ, min(len(old), len(new)))
-
-
 def told(old, new):
-    """'a + b -> a - b'; of long texts the place where they differ, however long names are."""
-    old, new = (TOKEN.findall(" ".join(text.split())) for text in (old, new))
-    start = alike(old, new)
-    end = alike(old[start:][::-1], new[start:][::-1])
-    cut, cut_end = (length - CONTEXT if length > CONTEXT + 1 else 0 for length in (start, end))
-
-    def part(tokens):
-        shown = tokens[cut:len(tokens) - cut_end][:WIDEST]
-        left, right = "... " * (cut > 0), " ..." * (cut + len(shown) < len(tokens))
-        return left + "".join(shown).strip() + right
-
-    return f"{part(old)} -> {part(new)}"
-
-
-def nameless(change, function):
-    """A change with v1, v2, ... for the function's own names: the same however these are called."""
-    others, own = foreign_names(function), {}
-
-    def renamed(token):
-        name = token.strip()
-        is_own = name.isidentifier() and name not in others
-        return own.setdefault(name, f"v{len(own) + 1}") if is_own else name
-
-    return " ".join(map(renamed, TOKEN.findall(change)))
-
-
-@functools.cache
-def foreign_names(function):
-    """The names in a function and its mutants that mean something outside of it."""
-    others = names_in(function) - own_names(function)
-    return others | {TWIN[name] for name in others & TWIN.keys()} | {*keyword.kwlist}
+    return " -> ".join(" ".join(ast.unparse(node).split()) for node in (old, new))

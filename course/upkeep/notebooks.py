@@ -1,10 +1,13 @@
-"""Runs the lectures from a clean kernel and writes them back: the same code, the same bytes.
+"""Runs the lectures from a clean kernel, and writes back what has changed for a reader.
 
 An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
-written holds no times, addresses, widgets or settings of the author. Pictures and last digits
-depend on the versions listed under "written_with". Where these agree, so do the bytes. What the
-kernel had loaded of the course stands under "made_from". While none of it changes, the lecture
-need not run again.
+written holds no times, addresses, widgets or settings of the author. Where a cell prints and draws
+the same as before, its outputs stay: see outcomes.py. So a run after a change that no reader sees
+writes nothing.
+
+A lecture is older than its code if that, or its own text, has changed since it ran. Which files it
+loaded stands in notebooks/.made_from.json, with one digest of them all. Comments and docstrings do
+not count. `test` says how many lectures are older, `test --all` runs all of them.
 
 A lecture begins with these lines, which work in Jupyter and in the command alike:
 
@@ -24,48 +27,49 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
 A lecture opens with its best picture or film, before any code. A cell with the line `# opening`
 draws it, where the text reaches it. Its last picture is written to openings/NN_topic.png, too.
 """
-import ast
-import asyncio
 import base64
 import contextlib
+import functools
+import hashlib
+import itertools
 import json
 import os
-import platform
 import re
 import tempfile
-import time
-import zlib
-from importlib.metadata import version
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import matplotlib.font_manager  # noqa: F401  finds the fonts now: no kernel has to, and says so
 import nbformat
-import numpy as np
 from ipykernel.kernelspec import RESOURCES, get_kernel_dict
 from jupyter_client import AsyncKernelManager
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from nbclient import NotebookClient
-from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from nbclient.exceptions import CellExecutionError, DeadKernelError
 
-from course.given.places import ROOT, is_handout, read_whole, write_whole
-from course.upkeep import errata, origins, pictures
+from course.given import places
+from course.given.places import ROOT, read_whole, write_whole
+from course.upkeep import errata, outcomes, pictures, weight
 
 FOLDER = ROOT / "notebooks"
+RECORD = FOLDER / ".made_from.json"
 AT_A_TIME = 2
 TIME_LIMIT = 180                                   # a processor's seconds for a notebook
-CLOCK = 5                                          # times as many may it take on a busy machine
+PATIENCE = 600                                     # seconds until a kernel starts or says more
 SIZE_LIMIT = 2_500_000                             # bytes of a notebook, its pictures included
-LINE_LIMIT = 88                                    # letters of a line of code
-WITHOUT_NUMBA = "import sys; sys.modules['numba'] = None"  # its sums have another order
-LIMITED = """
-import contextlib, signal, time
-with contextlib.suppress(ImportError):  # Windows has the limit on the clock alone
+FIRST = """
+import contextlib, signal, sys, time
+sys.modules["numba"] = None  # its sums have another order
+with contextlib.suppress(ImportError):  # Windows knows no limit
     import resource
     signal.signal(signal.SIGXCPU, signal.default_int_handler)
     resource.setrlimit(resource.RLIMIT_CPU,
-                       (int(time.process_time() + TIME_LIMIT), resource.RLIM_INFINITY))
+                       (int(time.process_time() + {}), resource.RLIM_INFINITY))
 """
-TOO_LONG = "was running when the {} seconds of a notebook ended: let it do less"
+LAST = """
+import sys
+print(*(getattr(module, "__file__", "") or "" for module in [*sys.modules.values()]), sep="\\n")
+"""
 
 KERNEL_ENVIRONMENT = {
     "PYTHONHASHSEED": "0",                         # one order of sets
@@ -74,12 +78,14 @@ KERNEL_ENVIRONMENT = {
     "MPLBACKEND": "module://matplotlib_inline.backend_inline",
     "PYTHONWARNINGS": "", "PYDEVD_DISABLE_FILE_VALIDATION": "1",
 }
+METADATA = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+            "language_info": {"name": "python"}}
+FOLDED = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
 
 # What the text of a lecture must not hold: a pattern, and what to say.
 UNWANTED = [
     (r" at 0x[0-9a-fA-F]{4,}", "prints a memory address: print a name instead"),
     (r"\x1b\[", "prints terminal colours: print plain text"),
-    (r"\r", "draws a progress bar: print a line at the end instead"),
     (re.escape(str(ROOT)), "prints the folder of this copy of the course: print a relative path"),
 ]
 
@@ -89,18 +95,23 @@ UNWANTED = [
 def run(names, everything=False):
     """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
 
-    Without names: those that are stale, or everything. 0: all are written. 1: at least one was
-    refused, with a sentence, and stays as it was.
+    Without names: those that are older than their code, or everything. 0: all are written. 1: at
+    least one was refused, with a sentence, and stays as it was.
     """
-    paths = find(names)
+    paths, status = find(names), 0
     if not names and not everything:
-        paths = [path for path in paths if origins.stale(path)]
-    refusals = wait_for(_run_all(paths))
-    for refusal in refusals:
-        print(refusal)
-    if not is_handout():
+        paths = older()
+        print("older than their code:", ", ".join(path.stem for path in paths) or "none")
+    with ThreadPoolExecutor(AT_A_TIME) as pool:
+        for path, job in [(path, pool.submit(remade, path)) for path in paths]:
+            try:
+                write(path, *job.result())
+            except (ValueError, OSError) as error:
+                print(error, flush=True)
+                status = 1
+    if not places.is_handout():
         errata.write()
-    return 1 if refusals else 0
+    return status
 
 
 def find(names):
@@ -108,10 +119,10 @@ def find(names):
     lectures = sorted(FOLDER.glob("*.ipynb"))
     if not lectures and not names:
         raise ValueError(f"there are no notebooks in {FOLDER}: get a whole copy of the course")
-    return list(dict.fromkeys(_find(str(name), lectures) for name in names)) or lectures
+    return list(dict.fromkeys(named(str(name), lectures) for name in names)) or lectures
 
 
-def _find(name, lectures):
+def named(name, lectures):
     if name.endswith(".ipynb") and Path(name).is_file():
         return Path(name).resolve()
     for path in lectures:
@@ -123,108 +134,113 @@ def _find(name, lectures):
                      f"there are {known}")
 
 
-async def _run_all(paths):
-    free = asyncio.Semaphore(AT_A_TIME)
-    refusals = await asyncio.gather(*[_run_one(path, free) for path in paths])
-    return [refusal for refusal in refusals if refusal]
+def write(path, before, notebook, differences, loaded):
+    """Write what a run made of a notebook, and what it was made from. See `remade`."""
+    content = f"{nbformat.writes(notebook)}\n".encode()
+    if len(content) > SIZE_LIMIT:
+        raise ValueError(f"{path.name} would be {len(content) / 1000:.0f} kB, and the limit is "
+                         f"{SIZE_LIMIT / 1000:.0f} kB: draw fewer or smaller pictures")
+    if read_whole(path) != before:
+        raise ValueError(f"{path.name} was saved while it ran: run the command again")
+    if content != before:
+        write_whole(path, content)
+    for picture in openings(notebook):
+        (path.parent / "openings").mkdir(exist_ok=True)
+        write_whole(path.parent / "openings" / f"{path.stem}.png", picture)
+    if path.parent == FOLDER:
+        made = {**record(), path.stem: {"digest": digest(notebook, loaded), "loaded": loaded}}
+        write_whole(RECORD, f"{json.dumps(made, indent=1, sort_keys=True)}\n".encode())
+    print(*(differences or [f"{path.name}: nothing has changed"]), sep="\n", flush=True)
 
 
-async def _run_one(path, free):
-    """Execute and write one notebook -> None, or the sentence that says why it was refused."""
-    async with free:
-        try:
-            before = read_whole(path)
-            content = await execute(path)
-            if read_whole(path) != before:
-                raise ValueError(f"{path.name} was saved while it ran: run the command again")
-            if content != before:
-                write_whole(path, content)
-            for picture in openings(content.decode()):
-                (path.parent / "openings").mkdir(exist_ok=True)
-                write_whole(path.parent / "openings" / f"{path.stem}.png", picture)
-        except (ValueError, OSError) as error:
-            return str(error)
-    state = "unchanged" if content == before else "written"
-    print(f"{path.stem}: {state}, {len(content) / 1000:.0f} kB", flush=True)
+# Which lectures are older than their code
+
+def older():
+    """The paths of the lectures whose text, or whose code, is another one than when they ran."""
+    known = record()
+    return [path for path in sorted(FOLDER.glob("*.ipynb")) if path.stem not in known or
+            digest(parsed(path), known[path.stem]["loaded"]) != known[path.stem]["digest"]]
 
 
-def wait_for(work):
-    # The selector's loop, because the one that Windows prefers does not serve Jupyter's sockets.
-    with asyncio.Runner(loop_factory=asyncio.SelectorEventLoop) as runner:
-        return runner.run(work)
+def record():
+    """{a lecture's name: its digest, and the files of the course that it loaded}."""
+    return json.loads(RECORD.read_bytes()) if RECORD.exists() else {}
 
 
-# From a notebook to its bytes
+def digest(notebook, loaded):
+    """Eight letters for a notebook's cells and the code of the files that it loads."""
+    files = [ROOT / name for name in loaded]
+    texts = [f"{cell.cell_type}\n{cell.source}" for cell in notebook.cells] + [
+        code_of(path.read_text(encoding="utf-8")) for path in files if path.exists()]
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:8]
 
-async def execute(path):
-    """The notebook, run from a clean kernel in the course's folder -> the bytes to write.
 
+@functools.cache
+def code_of(text):
+    return "\n".join(weight.lines_with_code(text))
+
+
+# From a notebook to what it says
+
+def remade(path, elsewhere=False):
+    """Run a notebook -> (its bytes before, the notebook, how it differs, what it loaded).
+
+    Outputs that say the same as those that are there stay: see outcomes.py, also for elsewhere.
     ValueError where a cell fails or leaves something that a lecture must not show, OSError where
     the file cannot be read.
     """
-    notebook = _read(path)
-    cells = [(index, cell) for index, cell in enumerate(notebook.cells) if _is_run(cell)]
-    for number, (_, cell) in enumerate(cells, start=1):
-        if long := [line for line in cell.source.splitlines() if len(line) > LINE_LIMIT]:
-            raise ValueError(f"{path.name}, code cell [{number}] has a line of more than "
-                             f"{LINE_LIMIT} letters: {long[0].strip()[:40]}...")
-    async with _kernel(notebook) as client:
-        for number, (index, cell) in enumerate(cells, start=1):
-            objection = await _run_cell(client, cell, index) or _objection(cell)
-            if objection:
-                raise ValueError(f"{path.name}, code cell [{number}] {objection}")
-            _join_streams(cell)
-            pictures.finish(cell)
-        loaded = await _loaded(client)
-    notebook.metadata["made_from"] = origins.made_from(_text(notebook), loaded)
-    return _content(notebook, path)
+    before = read_whole(path)
+    stored = {cell.source: cell.outputs for cell in parsed(path).cells if "outputs" in cell}
+    notebook, loaded = executed(path)
+    differences = []
+    for cell in notebook.cells:
+        was = stored.get(cell.source, [])
+        if found := outcomes.difference(was, cell.get("outputs", []), elsewhere):
+            differences.append(f"{path.name}, {cell.id} {found}")
+        elif was:
+            cell.outputs = was
+    return before, notebook, differences, loaded
 
 
-def _read(path):
-    """A notebook without outputs, its cells named cell-00, cell-01, ..., as it goes to a kernel."""
+def parsed(path):
+    """A notebook as the command writes it: its cells are cell-00, cell-01, ..., and numbered."""
     try:
-        notebook = nbformat.from_dict(json.loads(read_whole(path)))
-        if notebook.nbformat != 4:
-            raise ValueError
-        for index, cell in enumerate(notebook.cells):
-            cell.id, cell.metadata, cell.source = f"cell-{index:02}", {}, "".join(cell.source)
-            if cell.cell_type == "code":
-                cell.outputs, cell.execution_count = [], None
-                if cell.source.startswith("# figure:"):
-                    cell.metadata = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
-    except (ValueError, KeyError, TypeError, AttributeError):
+        notebook = nbformat.reads(read_whole(path).decode(), as_version=4)
+    except (ValueError, AttributeError, nbformat.ValidationError):
         raise ValueError(f"{path} is not a notebook of format 4: open it in Jupyter and save it, "
                          "or get it again") from None
-    notebook.nbformat_minor = 5                    # the first one whose cells have names
-    notebook.metadata = _metadata()
-    return notebook
+    numbers = itertools.count(1)
+    for index, cell in enumerate(notebook.cells):
+        cell.id, cell.metadata = f"cell-{index:02}", {}
+        if cell.source.startswith("# figure:"):
+            cell.metadata = FOLDED
+        if cell.cell_type == "code":
+            cell.execution_count = next(numbers) if is_run(cell) else None
+            cell.outputs = cell.outputs if is_run(cell) else []
+    notebook.nbformat_minor, notebook.metadata = 5, METADATA
+    return nbformat.from_dict(notebook)
 
 
-def _metadata():
-    return nbformat.from_dict({
-        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-        "language_info": {"name": "python"},
-        "written_with": _written_with(),
-        "made_from": {},
-    })
-
-
-def _written_with():
-    """What the bytes of numbers and pictures depend on, apart from the code.
-
-    Two processors round differently with the same versions: "rounding" is a sum of such results.
-    """
-    versions = {name: version(name) for name in ("numpy", "scipy", "matplotlib", "pillow")}
-    numbers = np.random.default_rng(0).normal(size=(40, 40))
-    results = (numbers @ numbers, np.linalg.inv(numbers), np.fft.fft2(numbers), numbers.sum(0),
-               *(function(numbers) for function in (np.exp, np.sin, np.arctan, np.cbrt)))
-    return {**versions, "platform": f"{platform.system()} {platform.machine()}",
-            "rounding": f"{zlib.crc32(b''.join(result.tobytes() for result in results)):08x}"}
-
-
-def _is_run(cell):
+def is_run(cell):
     source = cell.source.strip()
     return cell.cell_type == "code" and source and not source.startswith("# live")
+
+
+def executed(path):
+    """The notebook, run in the course's folder, and the course's files that its kernel loaded."""
+    notebook, ask = parsed(path), nbformat.v4.new_code_cell(LAST)
+    notebook.cells.append(ask)
+    with kernel(notebook) as client:
+        for index, cell in enumerate(notebook.cells[:-1]):
+            if is_run(cell):
+                objection = unfinished(client, cell, index) or objection_to(cell)
+                if objection:
+                    raise ValueError(f"{path.name}, code cell [{cell.execution_count}] {objection}")
+                pictures.finish(cell)
+        client.execute_cell(ask, len(notebook.cells) - 1)
+    notebook.cells.remove(ask)
+    files = map(places.shown_path, ask.outputs[0].text.splitlines())
+    return notebook, sorted(file for file in files if file.startswith(("course/", "reference/")))
 
 
 class ThisInterpreter(KernelSpecManager):
@@ -234,72 +250,42 @@ class ThisInterpreter(KernelSpecManager):
         return KernelSpec(resource_dir=RESOURCES, **get_kernel_dict(["--log-level=40"]))
 
 
-@contextlib.asynccontextmanager
-async def _kernel(notebook):
+@contextlib.contextmanager
+def kernel(notebook):
     """A client of a new kernel that knows no settings of the reader, and ends with the block."""
-    manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
-    end = time.monotonic() + CLOCK * TIME_LIMIT
-    client = NotebookClient(notebook, km=manager, record_timing=False, iopub_timeout=TIME_LIMIT,
-                            timeout_func=lambda cell: max(end - time.monotonic(), 0.1))
+    client = NotebookClient(
+        notebook, km=AsyncKernelManager(kernel_spec_manager=ThisInterpreter()),
+        record_timing=False, coalesce_streams=True, startup_timeout=PATIENCE, timeout=None,
+        iopub_timeout=PATIENCE,
+        extra_arguments=[f"--IPKernelApp.exec_lines=exec({FIRST.format(TIME_LIMIT)!r}, {{}})"])
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as settings:
         environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": settings}
-        if is_handout():  # a student's answer may warn
+        if places.is_handout():  # a student's answer may warn
             environment["PYTHONWARNINGS"] = "ignore"
-        try:
-            await client.async_start_new_kernel(cwd=str(ROOT), env=environment)
-            await client.async_start_new_kernel_client()
-            for line in WITHOUT_NUMBA, f"exec({LIMITED!r}, {{'TIME_LIMIT': {TIME_LIMIT}}})":
-                await client.kc.execute_interactive(line, silent=True, store_history=False)
+        with client.setup_kernel(cwd=str(ROOT), env=environment, cleanup_kc=True):
             yield client
-        finally:
-            if client.kc is not None:
-                client.kc.stop_channels()
-            if manager.has_kernel:
-                await manager.shutdown_kernel(now=True)
 
 
-async def _run_cell(client, cell, index):
+def unfinished(client, cell, index):
     """Fill the cell's outputs -> None, or what kept it from coming to its end."""
     try:
-        await client.async_execute_cell(cell, index)
-    except CellExecutionError:
-        error = next(output for output in cell.outputs if output.output_type == "error")
-        message = f"{error.ename}: {error.evalue}".splitlines()[0]
-        out_of_time = error.ename == "KeyboardInterrupt"  # see LIMITED
-        return TOO_LONG.format(TIME_LIMIT) if out_of_time else f"failed with {message}"
-    except CellTimeoutError:
-        return TOO_LONG.format(CLOCK * TIME_LIMIT) + ", or let nothing else run"
+        client.execute_cell(cell, index)
+    except CellExecutionError as error:
+        if error.ename == "KeyboardInterrupt":  # see FIRST
+            return (f"was running when the {TIME_LIMIT} seconds of a notebook ended: "
+                    "let it do less")
+        return f"failed with {error.ename}: {error.evalue}".splitlines()[0]
     except DeadKernelError:
         return "ended the kernel: look for too much memory, or an exit()"
 
 
-async def _loaded(client):
-    """The files of all modules that a kernel has loaded."""
-    files = "[getattr(one, '__file__', None) or '' for one in [*sys.modules.values()]]"
-    reply = await client.kc.execute_interactive(
-        "import sys", silent=True, user_expressions={"files": f"'\\n'.join({files})"})
-    shown = reply["content"]["user_expressions"]["files"]["data"]["text/plain"]
-    return ast.literal_eval(shown).split("\n")
-
-
-def _join_streams(cell):
-    """Printed text arrives in pieces, by chance: make neighbouring pieces one output."""
-    outputs = []
-    for output in cell.outputs:
-        if outputs and output.output_type == outputs[-1].output_type == "stream":
-            outputs[-1].text += output.text
-        else:
-            outputs.append(output)
-    cell.outputs = outputs
-
-
 # What a lecture must not show
 
-def _objection(cell):
-    """The first thing in the cell that must not be written, as a clause, or None."""
+def objection_to(cell):
+    """The first thing in the cell's outputs that must not be written, as a clause, or None."""
     shown = []
     for output in cell.outputs:
-        parts = contents(output)
+        parts = outcomes.contents(output)
         text = "\n".join(parts[kind] for kind in parts if kind.startswith("text/"))
         if output.get("name") == "stderr":
             line = text.strip().split("\n")[0]
@@ -316,31 +302,8 @@ def _objection(cell):
     return pictures.objection(cell)
 
 
-def openings(content):
+def openings(notebook):
     """The picture with which a lecture opens, as a list of one PNG file's bytes, or of none."""
-    cells = [cell for cell in nbformat.reads(content, as_version=4).cells
-             if re.search(r"^# opening$", cell.source, re.MULTILINE)]
+    cells = [cell for cell in notebook.cells if re.search(r"^# opening$", cell.source, re.M)]
     return [base64.b64decode(output.data["image/png"])
             for cell in cells for output in pictures.pictures_of(cell)[-1:]]
-
-
-def contents(output):
-    """What an output shows, by its kind: {"text/plain": ..., "image/png": in base64, ...}."""
-    contents = output.get("data", {"text/plain": output.get("text", "")})
-    return {kind: "".join(content) for kind, content in contents.items()}
-
-
-def _text(notebook):
-    return nbformat.writes(notebook) + "\n"
-
-
-def _content(notebook, path):
-    content = _text(notebook).encode()
-    if len(content) > SIZE_LIMIT:
-        sizes = [len(json.dumps(cell.get("outputs", []))) for cell in notebook.cells]
-        largest = notebook.cells[np.argmax(sizes)]
-        raise ValueError(
-            f"{path.name} would be {len(content) / 1000:.0f} kB, and {SIZE_LIMIT / 1000:.0f} kB is "
-            f"the limit: draw fewer or smaller pictures, first in code cell "
-            f"[{largest.get('execution_count')}], whose outputs are {max(sizes) / 1000:.0f} kB")
-    return content

@@ -1,4 +1,4 @@
-"""The pictures of a lecture: what is told of them, how they are packed, whether two are alike."""
+"""The pictures of a lecture: what is told of them, and how they are packed."""
 import base64
 import io
 import re
@@ -8,10 +8,9 @@ from PIL import Image, ImageSequence
 from scipy.spatial import cKDTree
 
 FEW_OFF = 12                                       # of 255; see `packed`
-SMOOTH, STEP, BANDS = 2, 6, 0.001                  # of 255, and a share: `_has_bands`
-LEAST, MOST = (320, 200), (960, 1600)              # a picture's width and height, as displayed
+SMOOTH, STEP, BANDS = 2, 6, 0.001                  # of 255, and a share: `has_bands`
+NARROWEST, MOST = 320, (960, 1600)                 # a picture's width and height, as displayed
 MARGIN = 12                                        # dots above and below a picture
-PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `difference`
 
 
 def told(source):
@@ -43,10 +42,9 @@ def objection(cell):
         return (f"shows {len(shown)} pictures and tells of {len(said)}: write a comment "
                 '"# figure: ..." for each, for those who do not see it')
     for size in (output.metadata["image/png"] for output in shown):
-        width, height = size["width"], size["height"]
-        if not (LEAST[0] <= width <= MOST[0] and LEAST[1] <= height <= MOST[1]):
-            return (f"shows a picture of {width} x {height}: draw {LEAST[0]} x {LEAST[1]} to "
-                    f"{MOST[0]} x {MOST[1]} displayed pixels")
+        if not NARROWEST <= size["width"] <= MOST[0] or size["height"] > MOST[1]:
+            return (f"shows a picture of {size['width']} x {size['height']}: draw one that is "
+                    f"displayed {NARROWEST} to {MOST[0]} pixels wide, and at most {MOST[1]} high")
 
 
 def packed(content):
@@ -55,15 +53,18 @@ def packed(content):
     With a palette of 256 colours where all but one dot in a thousand stay within FEW_OFF, and where
     smooth shades stay smooth (or move). White rows above and below are cut.
     """
-    pictures, stay = _frames_and_stay(content)
-    pictures = _cut(pictures)
-    few, off = _with_palette(pictures)
-    if off <= FEW_OFF and (len(few) > 1 or not _has_bands(pictures[0], few[0])):
+    pictures, stay = frames(content)
+    pictures = cut(pictures)
+    few, off = with_palette(pictures)
+    if off <= FEW_OFF and (len(few) > 1 or not has_bands(pictures[0], few[0])):
         pictures = few
-    return _png(pictures, stay), pictures[0].size
+    kept = io.BytesIO()
+    moving = {"save_all": True, "append_images": pictures[1:], "loop": 0, "duration": stay}
+    pictures[0].save(kept, "PNG", optimize=True, **(moving if len(pictures) > 1 else {}))
+    return kept.getvalue(), pictures[0].size
 
 
-def _has_bands(picture, few):
+def has_bands(picture, few):
     """Are there steps in the copy where the picture itself has none?"""
     both = np.stack([np.asarray(one.convert("RGB"), int) for one in (picture, few)])
     for axis in (1, 2):
@@ -73,7 +74,7 @@ def _has_bands(picture, few):
     return False
 
 
-def _cut(pictures):
+def cut(pictures):
     """Pictures without the rows above and below that are white in all of them, but for MARGIN."""
     ink = np.flatnonzero(np.min(pictures, axis=(0, 2, 3)) < 255)
     if not ink.size:
@@ -83,7 +84,7 @@ def _cut(pictures):
     return [picture.crop((0, top, width, bottom)) for picture in pictures]
 
 
-def _with_palette(pictures):
+def with_palette(pictures):
     """Pictures (RGB) with one palette of 256 colours, and how far all but 1 in 1,000 dots are off.
 
     A colour counts as the square root of its dots: white paper leaves room for shades. The most
@@ -109,50 +110,9 @@ def _with_palette(pictures):
     return few, np.percentile(np.repeat(off, count[used]), 99.9)
 
 
-def _png(pictures, stay):
-    content = io.BytesIO()
-    moving = {"save_all": True, "append_images": pictures[1:], "loop": 0, "duration": stay}
-    pictures[0].save(content, "PNG", optimize=True, **(moving if len(pictures) > 1 else {}))
-    return content.getvalue()
-
-
-def _frames_and_stay(content):
-    """A PNG's bytes -> its frames in RGB, and how many milliseconds each is shown."""
+def frames(content):
+    """A PNG's bytes -> its frames, in RGB, and how many milliseconds each is shown."""
     with Image.open(io.BytesIO(content)) as opened:
-        frames = [(frame.convert("RGB"), frame.info.get("duration", 0))
-                  for frame in ImageSequence.Iterator(opened)]
-    return [frame for frame, _ in frames], [stay for _, stay in frames]
-
-
-def difference(was, now, here):
-    """How two pictures in base64 differ, as a clause, or None where that is as it may be.
-
-    here: the same versions drew both, so the bytes must agree. Elsewhere a picture may be two
-    pixels larger or smaller, and the means of its blocks of 32 x 32 pixels may differ by
-    PICTURE_LIMIT on average. (matplotlib 3.9 and 3.11 differ by up to 1. The course's figures
-    upside down, mirrored or empty differ by 4 and more.)
-    """
-    if was == now:
-        return None
-    if here:
-        return "draws a picture with other bytes, with the same versions: find what is not seeded"
-    old, new = frames(was), frames(now)
-    if len(old) != len(new) or np.abs(np.subtract(old[0].size, new[0].size)).max() > 2:
-        return (f"draws {len(new)} pictures of {new[0].size} pixels, "
-                f"and the file has {len(old)} of {old[0].size}")
-    size = np.minimum(old[0].size, new[0].size)
-    distance = max(np.abs(_small(one, size) - _small(other, size)).mean()
-                   for one, other in zip(old, new, strict=True))
-    if distance > PICTURE_LIMIT:
-        return (f"draws a picture that differs from the file's by {distance:.1f} of 255 "
-                f"on average: {PICTURE_LIMIT} is what other fonts may explain")
-
-
-def frames(picture):
-    """A PNG or APNG in base64 -> its frames, in RGB."""
-    return _frames_and_stay(base64.b64decode(picture))[0]
-
-
-def _small(frame, size):
-    """The means of 32 x 32 pixels, so that a line moved by a pixel or two counts for little."""
-    return np.asarray(frame.crop((0, 0, *size)).reduce(32), float)
+        both = [(frame.convert("RGB"), frame.info.get("duration", 0))
+                for frame in ImageSequence.Iterator(opened)]
+    return tuple(map(list, zip(*both, strict=True)))

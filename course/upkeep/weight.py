@@ -1,11 +1,11 @@
-"""How much code stands around the code that is taught.
+"""How much code stands around the code that is taught, a row a house.
 
     python3 -m course.upkeep.weight
 
 What is taught are the modules of reference/ with exercises, and tiny.py. Around them stands all
-other code that git tracks, with the site, the benchmarks and the kernels. Not counted are labs/,
-which is made from reference/, and what others wrote. A line is code if it holds more than a comment
-or a docstring. A known mistake that is written as a change counts, too.
+other code that git tracks. Not counted are labs/, which is made from reference/, and what others
+wrote. A line is code if it holds more than a comment or a docstring. A known mistake that is
+written as a change counts, too.
 """
 import io
 import subprocess
@@ -17,6 +17,8 @@ from ..given import places
 
 MOST = 48_850  # lines around what is taught; this number may only become smaller
 TAUGHT = "taught"
+HOUSES = ("reference", "course/fast", "labkit/tests", "labkit", "apps/tests", "apps", "course",
+          "tests", "tasks", "teaching", "site", "benchmarks")  # a file belongs to the first one
 NOT_COUNTED = "labs/", "site/static/vendor/"
 CODE = ".py", ".js", ".mjs", ".html", ".css", ".sh", "/run"
 CHANGE = *map(str, range(10)), "->", "and "  # how a line of a known mistake begins
@@ -24,20 +26,28 @@ WITHOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tok
            tokenize.ENCODING, tokenize.ENDMARKER}
 
 
-def code_lines(text: str) -> int:
-    """The lines of a Python text that hold code. Of a text that is no Python: those not blank."""
-    lines, statement = set(), []
+def lines_with_code(text: str) -> list[str]:
+    """The lines of a Python text that hold code, without comments. Of another text: not blank ones.
+    """
+    lines, numbers, statement = text.splitlines(), set(), []
     try:
         for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            row, column = token.start
+            if token.type == tokenize.COMMENT:
+                lines[row - 1] = lines[row - 1][:column].rstrip()
             if token.type not in WITHOUT:
                 statement.append(token)
             if token.type == tokenize.NEWLINE:
                 if any(part.type != tokenize.STRING for part in statement):
-                    lines.update(*(range(part.start[0], part.end[0] + 1) for part in statement))
+                    numbers.update(*(range(part.start[0], part.end[0] + 1) for part in statement))
                 statement = []
     except (tokenize.TokenError, SyntaxError):
-        return sum(line.strip() != "" for line in text.splitlines())
-    return len(lines)
+        return [line for line in text.splitlines() if line.strip()]
+    return [lines[number - 1] for number in sorted(numbers)]
+
+
+def code_lines(text: str) -> int:
+    return len(lines_with_code(text))
 
 
 def lines_of(path: str, text: str) -> int:
@@ -49,17 +59,18 @@ def lines_of(path: str, text: str) -> int:
     return sum(line.strip() != "" for line in text.splitlines()) if path.endswith(CODE) else 0
 
 
-def rooms() -> Counter:
-    """{folder, to its second level: lines of code}, of all that git tracks; TAUGHT apart."""
+def houses() -> Counter:
+    """{house: lines of code}, of all that git tracks."""
     taught = {f"reference/{topic}.py" for topic in (*exercises.asking_topics(), "tiny")}
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=places.ROOT, capture_output=True,
                             check=True, encoding="utf-8").stdout
     found = Counter()
     for path in listed.split("\0"):
         if (places.ROOT / path).is_file() and not path.startswith(NOT_COUNTED):
-            room = TAUGHT if path in taught else "/".join(path.split("/")[:-1][:2]) or path
             text = (places.ROOT / path).read_bytes().decode("utf-8", "replace")
-            found[room] += lines_of(path, text)
+            house = TAUGHT if path in taught else next(
+                (house for house in HOUSES if path.startswith(f"{house}/")), "the rest")
+            found[house] += lines_of(path, text)
     return +found
 
 
@@ -69,7 +80,7 @@ def around(found: Counter) -> int:
 
 
 if __name__ == "__main__":
-    everything = rooms()
-    for name, lines in everything.most_common():
-        print(f"{lines:7,}  {name}")
+    everything = houses()
+    for name in filter(everything.get, (TAUGHT, *HOUSES, "the rest")):
+        print(f"{everything[name]:7,}  {name}")
     print(f"{around(everything):7,}  around what is taught; at most {MOST:,}")

@@ -164,12 +164,17 @@ def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
 
 
 @pytest.mark.parametrize(("lint", "tests", "status"), [(0, 0, 0), (1, 0, 1), (0, 5, 5), (1, 2, 2)])
-def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tests, status):
-    """One of the two statuses is forgotten; or after bad lint no test is run."""
+def test_the_test_command_fails_with_either_lint_or_tests(
+        monkeypatch, stand_in, capsys, lint, tests, status):
+    """One of the two statuses is forgotten; or after bad lint no test is run; or a lecture that is
+    older than its code counts as a failure, or is not told.
+    """
     ran = {}
+    stand_in("upkeep.notebooks", older=lambda: ["one", "another"])
     monkeypatch.setattr(commands, "run_module", lambda module, *arguments: ran.update(
         {module: arguments}) or {"ruff": lint, "pytest": tests}[module])
     assert cli.main(["test"]) == status
+    assert "2 lectures are older than their code, which is no mistake" in capsys.readouterr().out
     assert list(ran) == ["ruff", "pytest"] and ran["pytest"][-2:] == ("-m", "not weekly")
     assert cli.main(["test", "--all"]) == status
     assert "not weekly" not in ran["pytest"]

@@ -72,31 +72,10 @@ def test_every_mutant_is_another_function_and_only_one_place_is_changed():
         assert sum(a != b for a, b in zip(lines, right, strict=True)) == 1
 
 
-def test_a_change_of_a_long_text_is_shown_where_it_is():
-    """A matrix of four lines twice, and the reader looks for the difference."""
-    left, right = " + ".join("abcdefghijkl"), " * ".join("mnopqrstuvwxyz")
-    told = mutations.told(f"{left} + {right}", f"{left} - {right}")
-    old, new = told.split(" -> ")
-    assert old.replace("l + m", "l - m") == new
-    assert len(told) < 130 and old.startswith("...") and old.endswith("...")
-
-
 def test_the_same_change_in_two_places_has_two_names():
     """A reason for one of them excuses the other."""
     assert [mutant.change for mutant in made('def f(x):\n    "?"\n    return g(x + 1) * x + 1\n')
             if mutant.change.startswith("1 -> 2")] == ["1 -> 2", "1 -> 2 (#2)"]
-    assert [mutant.change for mutant in made('def f(x, y):\n    "?"\n    return g(x < y, y < x)\n')
-            if "<=" in mutant.change] == ["x < y -> x <= y", "y < x -> y <= x (#2)"]
-
-
-def test_a_change_is_the_same_whatever_the_variables_are_called():
-    """A name is taken away with the variables: of a function, an attribute, an argument's."""
-    function = ast.parse('def f(x, n):\n    "?"\n    y = x.n + g(x, n=2)\n    return y\n').body[0]
-    assert mutations.nameless("y + g(x, n=2) -> y.n (#2)", function) == (
-        "v1 + g ( v2 , n= 2 ) - > v1 .n ( # 2 )")
-    assert mutations.nameless("other + g(a, n=2) -> other.n (#2)", function) == (
-        mutations.nameless("y + g(x, n=2) -> y.n (#2)", function))
-    assert mutations.nameless("y -> g", function) != mutations.nameless("y -> x", function)
 
 
 REFERENCE = "import itertools\n" + "".join((
@@ -114,7 +93,7 @@ CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" +
 
 FILES = {"reference/transforms.py": REFERENCE, "tests/labs/test_transforms.py": CHECKS,
          "tests/equivalents/transforms.txt":
-         "# a comment\n1.3  t > 0 -> t >= 0\n      At 0 both give 0,\n      as numbers.\n"
+         "# a comment\n1.3  x > 0 -> x >= 0\n      At 0 both give 0,\n      as numbers.\n"
          "1.3  no such change\n      For no reason.\n"}
 
 

@@ -1,6 +1,5 @@
 """The lectures are what the command writes, and the command writes nothing that it should not."""
 import base64
-import contextlib
 import io
 import json
 
@@ -9,25 +8,37 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from course import exercises
 from course.given.places import ROOT
-from course.upkeep import comparing, notebooks, origins, pictures
+from course.upkeep import notebooks, outcomes, pictures
 
 LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
+LINE_LIMIT = 88                                    # letters of a line of code
+
+each_lecture = pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
 
 
-@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-def test_a_lecture_was_made_from_this_code(path):
-    """Figures and numbers of an older version of the code; an edit that was not executed."""
-    assert origins.stale(path) is None
+@each_lecture
+def test_a_lecture_is_stored_as_the_command_writes_it(path):
+    """A cell without a number, a picture that nobody is told of, code of a figure that is shown; a
+    page that loads for a minute, or has lines that are cut off.
+    """
+    cells = nbformat.read(path, as_version=4).cells
+    assert cells == notebooks.parsed(path).cells
+    assert [notebooks.objection_to(cell) for cell in cells if "outputs" in cell and
+            notebooks.objection_to(cell)] == []
+    assert path.stat().st_size <= notebooks.SIZE_LIMIT
+    assert max(len(line) for code in exercises.cells(path, "code")
+               for line in code.splitlines()) <= LINE_LIMIT
 
 
-# The first one runs always: it shows the board, which starts in a process of its own.
-@pytest.mark.parametrize("path", [LECTURES[0], *[
-    pytest.param(path, marks=pytest.mark.weekly) for path in LECTURES[1:]
-]], ids=lambda path: path.stem)
-def test_a_lecture_is_what_its_code_draws_and_prints(path):
-    """Numbers that another NumPy or another processor changes; a random number without a seed."""
-    assert comparing.compare(path) == []
+@pytest.mark.weekly
+@each_lecture
+def test_a_lecture_says_what_its_code_prints_and_draws(path):
+    """A lecture that fails, or shows what older code has drawn; numbers that another NumPy or
+    another processor changes; a random number without a seed.
+    """
+    assert notebooks.remade(path, elsewhere=True)[2] == []
 
 
 # The command, on notebooks of a few cells
@@ -78,15 +89,15 @@ def cells(written):
     return json.loads(written.read_text(encoding="utf-8"))["cells"]
 
 
-def test_a_second_run_writes_the_same_bytes(written, monkeypatch, capsys):
+def test_a_second_run_writes_nothing(written, monkeypatch, capsys):
     """Times, random names, sets in another order, settings of the shell that change a picture."""
     before = written.read_bytes()
     monkeypatch.setenv("PYTHONHASHSEED", "5")
     monkeypatch.setenv("MPLBACKEND", "svg")
     monkeypatch.chdir(written.parent)
     assert notebooks.run([written.name]) == 0
-    assert written.read_bytes() == before
-    assert "unchanged" in capsys.readouterr().out
+    assert written.read_bytes() == before and before.endswith(b"}\n") and b"\r" not in before
+    assert "03_lecture.ipynb: nothing has changed" in capsys.readouterr().out
 
 
 def test_names_counts_and_metadata_depend_on_the_order_of_cells_only(written, cells):
@@ -95,201 +106,93 @@ def test_names_counts_and_metadata_depend_on_the_order_of_cells_only(written, ce
     assert [cell.get("execution_count") for cell in cells] == [None, 1, 2, None, 3, 4]
     folded = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
     assert [cell["metadata"] for cell in cells] == [{}, {}, {}, {}, folded, {}]
-    metadata = json.loads(written.read_text(encoding="utf-8"))["metadata"]
-    assert metadata.pop("written_with")["numpy"] == np.__version__
-    assert "course/given/plot.py" in metadata.pop("made_from")
-    assert metadata == {
+    assert json.loads(written.read_text(encoding="utf-8"))["metadata"] == {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"}}
 
 
-def test_the_file_ends_with_one_line_feed_and_has_no_carriage_return(written):
-    """The line ends of the system that wrote it."""
-    content = written.read_bytes()
-    assert content.endswith(b"}\n") and b"\r" not in content
-
-
-def test_printed_text_is_one_output_from_the_courses_folder(cells):
-    """Text in pieces that depend on the kernel's timing; a run from the caller's folder."""
+def test_text_is_one_output_from_the_courses_folder_and_a_live_cell_has_none(cells):
+    """Text in pieces that depend on the kernel's timing; a slider, saved dead."""
     output, = cells[2]["outputs"]
     assert sorted(output["text"]) == ["True\n", "a\n", "has\n", "no\n", "order\n", "set\n"]
-
-
-def test_a_live_cell_is_left_to_the_reader(cells):
-    """A slider, which a page cannot show, saved dead."""
     assert cells[3]["outputs"] == [] and cells[3]["source"][0] == "# live\n"
 
 
-def test_figures_are_whole_pages_and_tell_no_version(cells):
-    """Trimmed margins, which give each figure a width of its own; matplotlib's name in the PNG."""
-    contents = [base64.b64decode(output["data"]["image/png"]) for output in cells[4]["outputs"]]
-    assert len(contents) == 2
-    for content, output in zip(contents, cells[4]["outputs"], strict=True):
-        assert int.from_bytes(content[16:20], "big") == 1920
-        assert output["metadata"]["image/png"]["width"] == 960
-        assert b"matplotlib" not in content.lower()
+def test_each_figure_is_a_whole_page_and_told(written, cells):
+    """Trimmed margins, which give each figure a width of its own; matplotlib's name in the PNG; a
+    figure that says nothing to those who do not see it; an opening that shows another one.
+    """
+    shown = [output["data"]["image/png"] for output in cells[4]["outputs"]]
+    contents = [base64.b64decode(picture) for picture in shown]
+    assert [int.from_bytes(content[16:20], "big") for content in contents] == [1920, 1920]
+    assert not any(b"matplotlib" in content.lower() for content in contents)
+    metadata = [output["metadata"]["image/png"] for output in cells[4]["outputs"]]
+    assert [one["width"] for one in metadata] == [960, 960]
+    assert [one["alt"] for one in metadata] == ["squares that grow, faster and faster",
+                                                "a diagonal"]
+    assert (written.parent / "openings" / "03_lecture.png").read_bytes() == contents[-1]
 
 
-def test_what_is_told_of_a_figure_stands_beside_it(cells):
-    """A figure that says nothing to those who do not see it; the text of another one."""
-    told = [output["metadata"]["image/png"]["alt"] for output in cells[4]["outputs"]]
-    assert told == ["squares that grow, faster and faster", "a diagonal"]
+@pytest.mark.parametrize("sources, told", [
+    (["1", "2\n1 / 0", "3"], "code cell [2] failed with ZeroDivisionError: division by zero"),
+    (["import os; os._exit(1)"], "code cell [1] ended the kernel"),
+    (["import time; time.sleep(2.5)", "while True: pass"],
+     "code cell [2] was running when the 2 seconds of a notebook ended: let it do less"),
+    (["object()"], "code cell [1] prints a memory address"),
+    (["print(50_000 * ('x' * 49 + '\\n'))"], "kB, and the limit is 2500 kB: draw fewer or smaller"),
+], ids=["fails", "dies", "does not end", "is refused", "is large"])
+def test_a_notebook_with_a_defect_is_refused_in_one_sentence(
+        tmp_path, monkeypatch, capsys, sources, told):
+    """A defect that is saved; an endless loop that holds the whole run; or a machine that is busy
+    with other things, so that nothing happens for a while, ends a notebook that does little.
+    """
+    monkeypatch.setattr(notebooks, "TIME_LIMIT", 2 if "True" in sources[-1] else 100)
+    path = save(tmp_path / "defect.ipynb", *sources)
+    before = path.read_bytes()
+    assert notebooks.run([path]) == 1
+    said = capsys.readouterr().out
+    assert said.startswith("defect.ipynb") and told in said
+    assert path.read_bytes() == before
 
 
-def test_a_lecture_opens_with_the_last_picture_of_the_cell_that_says_so(written, cells):
-    """An opening that is not written, or shows another picture."""
-    opening, = written.parent.glob("openings/*.png")
-    assert opening.stem == written.stem
-    assert opening.read_bytes() == base64.b64decode(cells[4]["outputs"][-1]["data"]["image/png"])
+PICTURE = {"image/png": "iVBO"}
 
 
-# Pictures
-
-def content_of(picture, *more):
-    content = io.BytesIO()
-    picture.save(content, "PNG", save_all=bool(more), append_images=more, duration=70)
-    return content.getvalue()
+def shown(content, width=900):
+    return nbformat.v4.new_output("display_data", content, metadata={
+        "image/png": {"width": width, "height": 300}})
 
 
-def pixels_of(content):
-    return np.asarray(Image.open(io.BytesIO(content)).convert("RGB")).astype(int)
-
-
-def drawing():
-    """White paper, a grey and a coloured ramp: more than 256 colours, few of them often."""
-    pixels = np.full((300, 400, 3), 255, np.uint8)
-    pixels[20:60] = np.linspace(0, 255, 400).astype(np.uint8)[None, :, None]
-    pixels[100:140, :, 0] = np.linspace(90, 255, 400)
-    pixels[100:140, :, 1:] = 60
-    return Image.fromarray(pixels)
-
-
-def test_a_drawing_gets_a_palette_and_stays_the_same_to_the_eye():
-    """A posterised picture; white paper that turns bluish; a file three times as large."""
-    before = content_of(drawing())
-    after, _ = pictures.packed(before)
-    assert Image.open(io.BytesIO(after)).mode == "P"
-    off = np.abs(pixels_of(after) - pixels_of(before)[8:152]).max(axis=-1)
-    assert np.percentile(off, 99.9) <= 3
-    assert (pixels_of(after)[60:90] == 255).all()
-
-
-def test_white_rows_above_and_below_are_cut():
-    """A band of empty page above each figure; a picture that is all white, and vanishes."""
-    content, size = pictures.packed(content_of(drawing()))
-    assert size == (400, 144) and (pixels_of(content)[[0, -1]] == 255).all()
-    assert pictures.packed(content_of(Image.new("RGB", (40, 30), "white")))[1] == (40, 30)
-
-
-@pytest.mark.parametrize("turned", [0, 90])
-def test_smooth_light_gets_no_bands(turned):
-    """A lit ball of 45 greys: the distance to the original does not see bands."""
-    ramp = np.linspace(0, 1, 600)[None, :, None] ** [[[1.0]], [[2.2]], [[0.4]]]
-    colours = np.array([[1, 1, 1], [1, 0.5, 0.2], [0.2, 0.6, 1]])[:, None]
-    bars = np.rint(255 * ramp * colours).astype(np.uint8)
-    before = content_of(Image.fromarray(bars.repeat(120, 0)).rotate(turned, expand=True))
-    after = Image.fromarray(pixels_of(pictures.packed(before)[0]).astype(np.uint8)).rotate(-turned,
-                                                                                      expand=True)
-    for row in (60, 180, 300):
-        assert len(np.unique(np.asarray(after)[row], axis=0)) >= 200
-
-
-def test_a_film_keeps_its_frames_its_times_and_one_palette():
-    """Frames that are lost, or flicker because each has colours of its own."""
-    frames = [drawing(), drawing().rotate(180), drawing().rotate(90)]
-    film, stay = pictures._frames_and_stay(pictures.packed(content_of(frames[0], *frames[1:]))[0])
-    assert len(film) == 3 and stay == [70] * 3
-    for frame, original in zip(film, frames, strict=True):
-        off = np.abs(np.asarray(frame).astype(int) - np.asarray(original))
-        assert np.percentile(off, 99.5) <= 12
-
-
-REFUSED = {
-    "fails": (["1", "2\n1 / 0", "3"], "code cell [2] failed with ZeroDivisionError: division by"),
-    "warns": (["import warnings; warnings.warn('old name')"], "UserWarning: old name): mend"),
-    "address": (["object()"], "code cell [1] prints a memory address"),
-    "twice": (["import matplotlib.pyplot as plt\nfigure, _ = plt.subplots()\nfigure"],
-              "code cell [1] shows one picture twice: end its last line with a semicolon"),
-    "large": (["0", f"print('x' * {notebooks.SIZE_LIMIT})"],
-              "would be 2501 kB, and 2500 kB is the limit: draw fewer or smaller pictures, first "
-              "in code cell [2], whose outputs are 2500 kB"),
-    "wide": (["0", "'" + 87 * "x" + "'"], "code cell [2] has a line of more than 88 letters: 'xxx"),
-    "untold": (["from course.given import plot; plot.style(); plot.panels([(8, 8)]);"],
-               "code cell [1] shows 1 pictures and tells of 0: write a comment \"# figure: ...\""),
-    "small": (["# figure: x\nimport matplotlib.pyplot as plt\nfrom course.given import plot",
-               "# figure: x\nplot.style(); plt.subplots(figsize=(3, 3));"],
-              "code cell [2] shows a picture of 300 x 300: draw 320 x 200 to 960 x 1600 displayed"),
-    "dies": (["import os; os._exit(1)"], "code cell [1] ended the kernel"),
-}
-
-
-@pytest.fixture(scope="module")
-def refusals(tmp_path_factory):
-    """Name -> the refused notebook's bytes before and after, and the sentence that was printed."""
-    folder = tmp_path_factory.mktemp("refused")
-    paths = [save(folder / f"{name}.ipynb", *sources) for name, (sources, _) in REFUSED.items()]
-    before = {path.stem: path.read_bytes() for path in paths}
-    with contextlib.redirect_stdout(io.StringIO()) as printed:
-        assert notebooks.run(paths) == 1
-    said = {line.split(".ipynb")[0]: line for line in printed.getvalue().splitlines()}
-    return {path.stem: (before[path.stem], path.read_bytes(), said[path.stem]) for path in paths}
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_a_notebook_with_a_defect_is_refused_in_one_sentence(refusals, name):
-    """A defect that is saved; a file that a failed run has changed; a sentence without the cell."""
-    before, after, sentence = refusals[name]
-    assert after == before
-    assert sentence.startswith(f"{name}.ipynb") and REFUSED[name][1] in sentence
-
-
-@pytest.mark.parametrize("kind, content, clause", [
-    ("text/plain", "\x1b[31mred", "prints terminal colours"),
-    ("text/plain", "10 %\r20 %", "draws a progress bar"),
-    ("text/html", f"<b>{ROOT}</b>", "prints the folder of this copy of the course"),
-    ("application/vnd.jupyter.widget-view+json", {}, "shows application/vnd.jupyter.widget"),
-    ("image/png", "iVBO", "shows 1 pictures and tells of 0"),
+@pytest.mark.parametrize("source, outputs, clause", [
+    ("", [nbformat.v4.new_output("stream", name="stderr", text="UserWarning: old\n")],
+     "warns on stderr (UserWarning: old)"),
+    ("", [shown({"text/plain": "\x1b[31mred"})], "prints terminal colours"),
+    ("", [shown({"text/html": f"<b>{ROOT}</b>"})], "prints the folder of this copy of the course"),
+    ("", [shown({"application/vnd.jupyter.widget-view+json": {}})], "shows application/vnd.jupyt"),
+    ("", [shown(PICTURE)], 'shows 1 pictures and tells of 0: write a comment "# figure: ..." for'),
+    ("# figure: a\n# figure: b", 2 * [shown(PICTURE)], "shows one picture twice"),
+    ("# figure: a", [shown(PICTURE, 300)], "shows a picture of 300 x 300: draw one that is"),
 ])
-def test_what_a_page_must_not_show_is_named(kind, content, clause):
-    """Colours as garbage, a bar for each step, the author's path, a dead slider, no words."""
-    output = nbformat.v4.new_output("display_data", {kind: content})
-    objection = notebooks._objection(nbformat.v4.new_code_cell(outputs=[output]))
-    assert objection.startswith(clause)
-
-
-def test_a_notebook_that_does_not_end_is_ended(tmp_path, monkeypatch):
-    """An endless loop that holds the whole run. Or a machine that is busy with other things, so
-    that nothing happens for a while, ends a notebook that does little."""
-    path = save(tmp_path / "endless.ipynb", "import time; time.sleep(2.5)", "while True: pass")
-    monkeypatch.setattr(notebooks, "TIME_LIMIT", 2)
-    assert comparing.compare(path) == [
-        "endless.ipynb, code cell [2] was running when the 2 seconds of a notebook ended: "
-        "let it do less"]
-
-
-def test_a_notebook_that_waits_for_ever_is_ended(tmp_path, monkeypatch):
-    """It takes no processor's time, and holds the whole run."""
-    path = save(tmp_path / "waits.ipynb", "import time; time.sleep(1000)")
-    monkeypatch.setattr(notebooks, "CLOCK", 0.01)
-    assert comparing.compare(path) == [
-        "waits.ipynb, code cell [1] was running when the 1.8 seconds of a notebook ended: "
-        "let it do less, or let nothing else run"]
+def test_what_a_page_must_not_show_is_named(source, outputs, clause):
+    """Colours as garbage, the author's path, a dead slider, no words, pictures like stamps."""
+    cell = nbformat.v4.new_code_cell(source, outputs=outputs)
+    assert notebooks.objection_to(cell).startswith(clause)
 
 
 def test_what_the_author_saves_meanwhile_is_kept(tmp_path, monkeypatch, capsys):
     """An edit made in Jupyter while the notebook ran, overwritten by the older text."""
-    async def execute(path):
+    def executed(path):
+        notebook = notebooks.parsed(path)
         path.write_text("edited")
-        return b"executed"
-    monkeypatch.setattr(notebooks, "execute", execute)
+        return notebook, []
+    monkeypatch.setattr(notebooks, "executed", executed)
     path = save(tmp_path / "open.ipynb", "1")
     assert notebooks.run([path]) == 1
     assert path.read_text() == "edited"
     assert "open.ipynb was saved while it ran: run the command again" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"nbformat": 3, "worksheets": []}',
-                                     '{"nbformat": 4, "cells": [{}]}'])
+@pytest.mark.parametrize("content", ["", "[]", '{"nbformat": 3}', '{"nbformat": 4, "cells": [{}]}'])
 def test_a_file_that_is_no_notebook_is_told_in_one_sentence(tmp_path, content, capsys):
     """A traceback for a file that was cut off, or of an old format."""
     path = tmp_path / "broken.ipynb"
@@ -317,135 +220,108 @@ def test_notebooks_are_found_by_number_topic_and_path(tmp_path, monkeypatch):
         notebooks.find(["2"])
 
 
-def test_without_a_name_only_what_is_stale_runs(monkeypatch):
-    """Minutes for seventeen lectures after a change of one; or one that cannot be made to run."""
-    ran = []
-
-    async def run_one(path, free):
-        ran.append(path)
-
-    monkeypatch.setattr(notebooks, "_run_one", run_one)
-    monkeypatch.setattr(origins, "stale", LECTURES[2:4].__contains__)
-    monkeypatch.setattr(notebooks.errata, "write", lambda: None)
-    assert notebooks.run([]) == 0 and ran == LECTURES[2:4]
-    assert notebooks.run([], everything=True) == 0 and ran[2:] == LECTURES
-
-
-# The comparison, without a kernel: what a run gives is the written file
-
-def edited(written, tmp_path, monkeypatch, edit):
-    """What `compare` says of the written lecture after `edit(notebook)`."""
-    async def execute(path):
-        return written.read_bytes()
-    monkeypatch.setattr(notebooks, "execute", execute)
-    notebook = nbformat.read(written, as_version=4)
-    edit(notebook)
-    path = tmp_path / "copy.ipynb"
-    path.write_text(notebooks._text(notebook), encoding="utf-8")
-    return comparing.compare(path)
-
-
-def set_picture(notebook, picture=lambda pixels: pixels):
-    """Draw the lecture's curve again, its pixels (H, W, 3) changed by `picture`."""
-    data = notebook.cells[4].outputs[0].data
-    pixels = np.asarray(pictures.frames(data["image/png"])[0])
-    content = io.BytesIO()
-    Image.fromarray(picture(pixels)).save(content, "PNG")
-    data["image/png"] = base64.b64encode(content.getvalue()).decode()
-
-
-@pytest.mark.parametrize("edit, difference", [
-    (lambda notebook: notebook.cells[1].update(execution_count=9),
-     "cell-01 has a name, count, source or metadata that the command does not write"),
-    (lambda notebook: notebook.cells[0].update(id="welcome"),
-     "cell-00 has a name, count, source or metadata that the command does not write"),
-    (lambda notebook: notebook.cells[5].outputs[0].data.update({"text/plain": "3"}),
-     "cell-05 prints '2', and the file says '3'"),
-    (lambda notebook: notebook.cells[4].outputs.pop(),
-     "cell-04 has 2 outputs, and in the file 1 or other ones"),
-    (set_picture, "cell-04 draws a picture with other bytes, with the same versions: find what is "
-                  "not seeded"),
-])
-def test_an_edit_by_hand_is_one_difference(written, tmp_path, monkeypatch, edit, difference):
-    """A comparison that looks at the text only, or at the pictures only."""
-    assert edited(written, tmp_path, monkeypatch, edit) == [f"copy.ipynb: {difference}"]
-
-
-@pytest.mark.parametrize("edit, changed", [
-    (lambda text: text, None),
-    (lambda text: text.replace("\n", "\r\n"), None),  # as a checkout on Windows has it
-    (lambda text: text[:-1], "this notebook"),
-    (lambda text: text.replace("A lecture", "A talk"), "this notebook"),
-    (lambda text: text.replace('"written_with"', '"authors"'), "this notebook"),
-    (lambda text: text.replace('"made_from"', '"found"'), "this notebook"),
-    (lambda text: text.replace('given/data": "', 'given/data": "0'), "course/given/data"),
-    (lambda text: text.replace('given/plot.py": "', 'given/plot.py": "0'), "course/given/plot.py"),
-    (lambda text: text.replace('given/plot.py": ', 'given/gone.py": '), "course/given/gone.py"),
-])
-def test_what_changed_since_a_lecture_ran_is_named(written, tmp_path, edit, changed):
-    """A lecture that shows the pictures of older code; one that runs again for nothing."""
-    path = tmp_path / "07_copy.ipynb"
-    path.write_bytes(edit(written.read_text(encoding="utf-8")).encode())
-    said = f"{path} was made before a change ({changed}): run python3 -m course notebooks 07"
-    assert origins.stale(path) == (said if changed else None)
-
+# Which lectures are older than their code
 
 CODE = 'import os\n\ndef f(x):\n    """Twice x."""\n    return 2 * x  # doubled\n'
 
 
-@pytest.mark.parametrize("text, same", [
-    ("import os  # why\ndef f(x):\n    return 2 * x\n", True),
-    (CODE.replace("x.", "x,\n\n    or so."), True),
-    (CODE.replace("2 *", "3 *"), False),
-    (CODE.replace("f(x)", "f(x=None)"), False),
-    (CODE.replace("import os\n", ""), False),
-])
-def test_comments_and_docstrings_make_no_lecture_stale(text, same):
-    """Seventeen lectures run again for a comma; or none for a number."""
-    assert (origins._digest_of_module(text) == origins._digest_of_module(CODE)) == same
+@pytest.fixture
+def course(tmp_path, monkeypatch):
+    """A course of two lectures that have run."""
+    for name, value in (("ROOT", tmp_path), ("FOLDER", tmp_path),
+                        ("RECORD", tmp_path / ".made_from.json"),
+                        ("executed", lambda path: (notebooks.parsed(path), [f"{path.stem}.py"]))):
+        monkeypatch.setattr(notebooks, name, value)
+    monkeypatch.setattr(notebooks.errata, "write", lambda: None)
+    for name in "01_one", "02_two":
+        save(tmp_path / f"{name}.ipynb", "1 + 1")
+        (tmp_path / f"{name}.py").write_text(CODE)
+    assert notebooks.run([]) == 0 and notebooks.older() == []
+    return tmp_path
 
+
+@pytest.mark.parametrize("name, old, new, is_older", [
+    ("01_one.py", "import os", "import os  # why", False),
+    ("01_one.py", "x.", "x,\n\n    or so.", False),
+    ("01_one.py", "2 *", "3 *", True),
+    ("01_one.py", "x", "y", True),
+    ("01_one.ipynb", "A lecture", "A talk", True),
+    ("01_one.ipynb", "1 + 1", "1 + 2", True),
+])
+def test_what_has_changed_since_a_lecture_ran_makes_it_older(course, capsys, name, old, new,
+                                                             is_older):
+    """Lectures that run again for a comma, or for a change of another one; pictures of older code
+    of which nobody knows; a lecture that is older for ever, as its run says what is there.
+    """
+    path = course / name
+    path.write_text(path.read_text().replace(old, new))
+    before = {path: path.read_bytes() for path in course.glob("*.ipynb")}
+    assert [path.stem for path in notebooks.older()] == ["01_one"] * is_older
+    capsys.readouterr()
+    assert notebooks.run([]) == 0 and notebooks.older() == []
+    assert capsys.readouterr().out.startswith(
+        f"older than their code: {'01_one' if is_older else 'none'}\n")
+    assert {path: path.read_bytes() for path in course.glob("*.ipynb")} == before
+
+
+# Two runs that say the same
 
 SAME = [("off by 3e-15 at most", "off by  2e-14 at most"), ("0.25 px", "0.26 px"),
-        ("-1e-16", "0.0"), ("100 faces", "101 faces"), ("x = 1234.5", "x = 1245.5")]
-OTHER = [("off by 3e-15", "off by 3e-05"), ("0.25 px", "0.27 px"), ("100 faces", "102 faces"),
+        ("-1e-16", "0.0"), ("error 2e-06", "error 1e-06")]
+OTHER = [("off by 3e-15", "off by 3e-05"), ("0.25 px", "0.27 px"), ("100 faces", "101 faces"),
          ("0.25 px", "0.25 m"), ("x = 1234.5", "x = -1234.5"), ("1 2", "1 2 3"), ("a b", "a c")]
 
 
 @pytest.mark.parametrize("old, new", SAME + OTHER)
-def test_a_number_written_elsewhere_may_be_rounded_otherwise(old, new):
+def test_a_number_may_be_rounded_otherwise_elsewhere(old, new):
     """A lecture that is wrong on every other processor; a stale number that nobody sees."""
-    same = (old, new) in SAME
-    assert (comparing.text_difference(old, new, here=False) is None) == same
-    assert comparing.text_difference(old, new, here=True) is not None
+    assert (outcomes.text_difference(old, new, True) is None) == ((old, new) in SAME)
+    assert outcomes.text_difference(old, new, False).startswith("prints ")
 
 
-def from_elsewhere(picture):
-    def edit(notebook):
-        notebook.metadata.written_with.matplotlib = "3.0"
-        set_picture(notebook, picture)
-    return edit
+def figure(pixels, alt="a curve"):
+    """The outputs of a cell that draws pixels (H, W, 3)."""
+    content = io.BytesIO()
+    Image.fromarray(pixels).save(content, "PNG")
+    picture = nbformat.v4.new_output("display_data", {
+        "image/png": base64.b64encode(content.getvalue()).decode()})
+    picture.metadata["image/png"] = {"alt": alt}
+    return [picture]
 
 
-@pytest.mark.parametrize("picture, difference", [
-    (lambda pixels: pixels, ""),
-    (lambda pixels: np.roll(pixels, 1, axis=1), ""),
-    (lambda pixels: pixels[1:, :-2], ""),
-    (lambda pixels: pixels ^ 1, ""),
-    (lambda pixels: pixels[::-1], "differs from the file's by"),
-    (lambda pixels: pixels[:, ::-1], "differs from the file's by"),
-    (lambda pixels: pixels * 0 + 255, "differs from the file's by"),
-    (lambda pixels: pixels[:-3], "draws 1 pictures of"),
-], ids=["other bytes", "a pixel aside", "smaller by two", "rounded", "upside down", "mirrored",
-        "empty", "smaller by three"])
-def test_a_picture_written_elsewhere_may_differ_a_little_and_show_nothing_else(
-        written, tmp_path, monkeypatch, picture, difference):
+def a_square(pixels):
+    pixels = pixels.copy()
+    pixels[200:264, 300:364] //= 2
+    return pixels
+
+
+@pytest.mark.parametrize("change, here, elsewhere", [
+    (lambda pixels: pixels ^ 1, None, None),
+    (lambda pixels: pixels[1:, :-2], "draws 1 pictures of", None),
+    (a_square, "draws another picture", None),
+    (lambda pixels: pixels[::-1], "draws another picture", "draws another picture"),
+    (lambda pixels: pixels[:, ::-1], "draws another picture", "draws another picture"),
+    (lambda pixels: pixels * 0 + 255, "draws another picture", "draws another picture"),
+    (lambda pixels: pixels[:-3], "draws 1 pictures of", "draws 1 pictures of"),
+], ids=["rounded", "smaller by two", "a square", "upside down", "mirrored", "empty",
+        "smaller by three"])
+def test_a_picture_may_differ_a_little_and_show_nothing_else(cells, change, here, elsewhere):
     """A test that fails wherever a font is drawn otherwise; or a limit so wide that another figure
-    passes.
+    passes. On the machine that drew it a single pixel of a figure counts.
     """
-    found = edited(written, tmp_path, monkeypatch, from_elsewhere(picture))
-    assert [difference in one for one in found] == [True] * bool(difference)
+    content = base64.b64decode(cells[4]["outputs"][0]["data"]["image/png"])
+    pixels = np.asarray(pictures.frames(content)[0][0])
+    for told, where in ((here, False), (elsewhere, True)):
+        said = outcomes.difference(figure(pixels), figure(change(pixels)), where)
+        assert said is told or said.startswith(told)
 
 
-def test_the_commands_own_folder_is_the_courses():
-    """A command that writes beside the notebooks that are read."""
-    assert notebooks.FOLDER == ROOT / "notebooks"
+def test_a_cell_that_says_something_else_is_told(cells):
+    """Other words beside a picture; a picture less."""
+    grey = np.full((40, 40, 3), 99, np.uint8)
+    lacks = "outputs, and the file has 1, or other ones"
+    assert outcomes.difference(figure(grey), figure(grey, "a line")) == f"has 1 {lacks}"
+    assert outcomes.difference(figure(grey), []) == f"has 0 {lacks}"
+    text = nbformat.v4.new_output("stream", text="a 1\nb 2\n")
+    other = nbformat.v4.new_output("stream", text="a 1\nb 3\n")
+    assert outcomes.difference([text], [other]) == "prints 'b 3', and the file says 'b 2'"
