@@ -78,7 +78,8 @@ def turning(surface, targets, colours):
     colours (V, 3) are those of eq. (10). A picture has these times 1 + b . n, in the least squares,
     where n are normals in the camera's axes. -> the length of b.
     """
-    square, product = np.zeros((3, 3)), np.zeros(3)
+    square = np.zeros((3, 3))
+    product = np.zeros(3)
     for target in targets:
         weights, seen = pixel_weights(surface, target)
         usual = (weights @ colours).mean(1)

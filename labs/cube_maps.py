@@ -52,7 +52,8 @@ FRAMES = np.array([  # right, down, out
     [[1, 0, 0], [0, -1, 0], [0, 0, 1]],     # 4: +z
     [[-1, 0, 0], [0, -1, 0], [0, 0, -1]],   # 5: -z
 ], float)
-AXIS, SIGN = np.abs(FRAMES).argmax(-1), FRAMES.sum(-1)  # each of their rows is an axis or opposite
+AXIS = np.abs(FRAMES).argmax(-1)  # each of their rows is an axis or opposite
+SIGN = FRAMES.sum(-1)
 SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 
@@ -76,17 +77,17 @@ def on_face(directions):  # extra 6.15 (2 points)
 
 def in_frame(directions, face):
     """right . d, down . d and out . d of each direction's face: (N, 3, ...) -> (N, 3, ...)."""
-    turned, row = np.empty(directions.shape), np.arange(len(face))
+    turned = np.empty(directions.shape)
     for i in range(3):  # one of d's three numbers, or its opposite
-        turned[:, i] = (SIGN[face, i] * directions[row, AXIS[face, i]].T).T
+        turned[:, i] = (SIGN[face, i] * directions[np.arange(len(face)), AXIS[face, i]].T).T
     return turned
 
 
 def from_frame(values, face):
     """The transpose of `in_frame`, and its inverse: (N, 3, ...) -> (N, 3, ...)."""
-    turned, row = np.empty(values.shape), np.arange(len(face))
+    turned = np.empty(values.shape)
     for i in range(3):
-        turned[row, AXIS[face, i]] = (SIGN[face, i] * values[:, i].T).T
+        turned[np.arange(len(face)), AXIS[face, i]] = (SIGN[face, i] * values[:, i].T).T
     return turned
 
 
@@ -275,10 +276,9 @@ def cube_filtered(levels, look, filter):
 
     def colours(*place):
         index, weight, _ = cube_map_taps(*place, mipmap, filter)
-        return look_up(mipmap.texels, index, weight),
+        return look_up(mipmap.texels, index, weight)
 
-    colour, = in_parts(colours, *places)
-    return masked_scatter(colour, seen)
+    return masked_scatter(in_parts(colours, *places), seen)
 
 
 def cube_filtered_backward(grad_colour, levels, look, filter):

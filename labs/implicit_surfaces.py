@@ -165,7 +165,8 @@ def ripples(points, height, frequency):
 def ripples_backward(grad_ripples, points, height, frequency):
     """Backward of `ripples`: grad_ripples (...) -> grad_points (..., 3)."""
     # The product rule: the slope of one sine, times the other two.
-    sine, slope = np.sin(frequency * points), frequency * np.cos(frequency * points)
+    sine = np.sin(frequency * points)
+    slope = frequency * np.cos(frequency * points)
     others = np.roll(sine, 1, -1) * np.roll(sine, 2, -1)
     return (height * grad_ripples)[..., None] * slope * others
 

@@ -307,9 +307,9 @@ def filtered(levels, footprint, sampler):
 
     def colours(*place):
         index, weight, _ = taps(*place, mipmap, sampler)
-        return look_up(mipmap.texels, index, weight),
+        return look_up(mipmap.texels, index, weight)
 
-    colour, = in_parts(colours, *places(mipmap, footprint, sampler))
+    colour = in_parts(colours, *places(mipmap, footprint, sampler))
     return colour.reshape(*footprint.uv.shape[:-1], levels[0].shape[-1])
 
 

@@ -64,26 +64,26 @@ def divisible(clip):
 
 
 def on_screen(corners, width, height):
-    """corners (F, 3, 3) -> screen (F, 3, 2) in pixels: the one place where conventions meet."""
+    """corners (F, 3, 3) -> triangles (F, 3, 2) in pixels: the one place where conventions meet."""
     return (corners[..., :2] + 1) * [width / 2, height / 2]
 
 
-def front_faces(screen, z):
+def front_faces(triangles, z):
     """Which faces are drawn? Those counter-clockwise on screen, y up, with all three z > 0.
 
-    screen (F, 3, 2), z (F, 3) -> bool (F,). A face without area is not drawn. (The original draws
-    it, and does not look at z.)
+    triangles (F, 3, 2), z (F, 3) -> bool (F,). A face without area is not drawn. (The original
+    draws it, and does not look at z.)
 
     >>> a, b, c = [0.0, 0.0], [4.0, 0.0], [0.0, 3.0]
     >>> front_faces(np.array([[a, b, c], [a, c, b], [a, b, b], [a, b, c]]),
     ...             np.array([[1.0, 1, 1], [1, 1, 1], [1, 1, 1], [1, 1, -1]]))
     array([ True, False, False, False])
     """
-    return (signed_area(screen) > 0) & (z > 0).all(1)
+    return (signed_area(triangles) > 0) & (z > 0).all(1)
 
 
-def face_inverse(screen):  # exercise 10.2 (1 point)
-    """The inverse of M in eq. (1): screen (..., 3, 2), one corner in each row -> (..., 3, 3).
+def face_inverse(triangles):  # exercise 10.2 (1 point)
+    """The inverse of M in eq. (1): triangles (..., 3, 2), one corner in each row -> (..., 3, 3).
 
     >>> small = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
     >>> face_inverse(np.array([small, 10 * small]))[0]  # of two faces
@@ -140,23 +140,23 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 
     raise NotImplementedError("exercise 10.4: screen_weights_and_depth_backward")
 
 
-def covers(screen, x, y):
-    """Is (x, y) in a face, border included? screen (..., 3, 2), counter-clockwise, x, y (...).
+def covers(triangles, x, y):
+    """Is (x, y) in a face, border included? triangles (..., 3, 2), counter-clockwise, x, y (...).
 
     Both faces at an edge cover a point on it. There is no top-left rule: the z-buffer decides.
     """
     p = np.stack([x, y], -1)
-    e = np.stack([edge_function(p, screen[..., i, :], screen[..., j, :]) for i, j in EDGES])
+    e = np.stack([edge_function(p, triangles[..., i, :], triangles[..., j, :]) for i, j in EDGES])
     return (e >= 0).all(0)
 
 
-def pixel_box(screen, width, height):
+def pixel_box(triangles, width, height):
     """The pixels whose centres lie in the box around a face, border included.
 
-    screen (..., 3, 2) -> x0, y0, x1, y1 (...): columns x0 <= j < x1, rows y0 <= i < y1, or none.
+    triangles (..., 3, 2) -> x0, y0, x1, y1 (...): columns x0 <= j < x1, rows y0 <= i < y1, or none.
     """
-    low = np.clip(np.ceil(screen.min(-2) - 0.5), 0, [width, height]).astype(int)
-    high = np.clip(np.floor(screen.max(-2) + 0.5), low, [width, height]).astype(int)
+    low = np.clip(np.ceil(triangles.min(-2) - 0.5), 0, [width, height]).astype(int)
+    high = np.clip(np.floor(triangles.max(-2) + 0.5), low, [width, height]).astype(int)
     return low[..., 0], low[..., 1], high[..., 0], high[..., 1]
 
 
@@ -180,14 +180,14 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # extra 10.5 (
     face_index = np.full((height, width), -1)
     weight = np.zeros((height, width, 3))
     depth = np.full((height, width), np.inf)
-    screen = on_screen(corners, width, height)
+    triangles = on_screen(corners, width, height)
     z = corners[..., 2]
-    for f in np.flatnonzero(front_faces(screen, z)):
-        inverse = face_inverse(screen[f])
-        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
+    for f in np.flatnonzero(front_faces(triangles, z)):
+        inverse = face_inverse(triangles[f])
+        x0, y0, x1, y1 = pixel_box(triangles[f], width, height)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             x, y = np.array(j + 0.5), np.array(i + 0.5)
-            if covers(screen[f], x, y):
+            if covers(triangles[f], x, y):
                 w, d = screen_weights_and_depth(inverse, z[f], x, y)
                 if near < d < far and d < depth[i, j]:
                     face_index[i, j], weight[i, j], depth[i, j] = f, w, d
@@ -200,17 +200,17 @@ def fragments(corners, width, height, near, far):
     pixel (N,) is row * width + column. face (N,), weight (N, 3), depth (N,). The last face comes
     first, so that the first of equally deep faces is written last.
     """
-    screen = on_screen(corners, width, height)
+    triangles = on_screen(corners, width, height)
     z = corners[..., 2]
-    drawn = np.flatnonzero(front_faces(screen, z))[::-1]
-    screen, z = screen[drawn], z[drawn]
-    inverse = face_inverse(screen)
-    x0, y0, x1, y1 = pixel_box(screen, width, height)
+    drawn = np.flatnonzero(front_faces(triangles, z))[::-1]
+    triangles, z = triangles[drawn], z[drawn]
+    inverse = face_inverse(triangles)
+    x0, y0, x1, y1 = pixel_box(triangles, width, height)
     owner, row = expand(y0, y1 - y0)
     for part in chunks((x1 - x0)[owner]):
         span, j = expand(x0[owner[part]], (x1 - x0)[owner[part]])
         face, i = owner[part][span], row[part][span]
-        inside = covers(screen[face], j + 0.5, i + 0.5)
+        inside = covers(triangles[face], j + 0.5, i + 0.5)
         face, i, j = face[inside], i[inside], j[inside]
         weight, depth = screen_weights_and_depth(inverse[face], z[face], j + 0.5, i + 0.5)
         kept = (near < depth) & (depth < far)
@@ -238,12 +238,12 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     original has such a gradient for the depth alone.)
     """
     height, width = face_index.shape
-    screen = on_screen(corners, width, height)
+    triangles = on_screen(corners, width, height)
     z = corners[..., 2]
     row, column = np.nonzero(face_index >= 0)
     face = face_index[row, column]
     seen, pixel_face = np.unique(face, return_inverse=True)
-    inverse = face_inverse(screen[seen])
+    inverse = face_inverse(triangles[seen])
     grads = screen_weights_and_depth_backward(grad_weight[row, column], grad_depth[row, column],
                                               inverse[pixel_face], z[face], column + 0.5, row + 0.5)
     # Each pixel gathers M^-1 and z of its face, so their gradients are scattered.

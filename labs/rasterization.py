@@ -224,8 +224,8 @@ def barycentric_on_face(px, py, x, y, w):  # extra 2.16 (3 points)
 def normalize_derivative(dc, b, s, axis=0):  # extra 2.17 (2 points)
     """Eq. (6), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
-    dc, b of one shape, the three weights along the axis; s, of length 1 along that axis, or (for
-    axis 0) without it -> db, of dc's shape.
+    dc, b -> db. The three weights lie along the axis, and s broadcasts with them. Lab 5's
+    `normalize_backward` is the way back.
 
     >>> b, s = np.array([0.25, 0.25, 0.5]), 4.0
     >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)

@@ -79,9 +79,11 @@ def surroundings(surface, colours):
     """
     chosen, area = pieces(surface)
     corners = surface.faces[chosen]
-    centres, sent = surface.vertices[corners].mean(1), colours[corners].mean(1)
+    centres = surface.vertices[corners].mean(1)
+    sent = colours[corners].mean(1)
     normals = mesh.face_normals(surface.vertices, surface.faces)[chosen]
-    hidden, bounce = np.empty(len(colours)), np.empty(colours.shape)
+    hidden = np.empty(len(colours))
+    bounce = np.empty(colours.shape)
     for first in range(0, len(colours), TOGETHER):
         some = slice(first, first + TOGETHER)
         factors = form_factors(surface.vertices[some], surface.normals[some], centres, normals,

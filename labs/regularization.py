@@ -31,7 +31,7 @@ def sides(triangles):
     return np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
 
 
-def area_vectors(triangles):
+def triangle_normals(triangles):
     """A normal as long as twice the area, for each of triangles (..., 3, 3): (..., 3)."""
     a, b, c = np.moveaxis(triangles, -2, 0)
     return np.cross(b - a, c - a)
@@ -74,7 +74,7 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
     """
     length = np.linalg.norm(sides(triangles)[0], axis=-1)
     below = length.prod(-1) * length.sum(-1)
-    return 4 * (area_vectors(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
+    return 4 * (triangle_normals(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
 
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
@@ -103,7 +103,8 @@ def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
     # d cot_k = (dp_k . q_k + p_k . dq_k - cot_k ds) / s, with one s = 2 A for all corners. A corner
     # that rises over the opposite side makes s grow by it: ds/dx_k = n x (q_k - p_k), |n| = 1.
     p, q = sides(triangles)
-    cot, area_vector = cotangents(triangles)[..., None], area_vectors(triangles)[..., None, :]
+    cot = cotangents(triangles)[..., None]
+    area_vector = triangle_normals(triangles)[..., None, :]
     flat = (cot == 0).all(-2, keepdims=True)  # no triangle has three right angles
     s = np.where(flat, 1, np.linalg.norm(area_vector, axis=-1, keepdims=True))
     by_dot = np.where(flat, 0, grad_cotangents[..., None] / s)
@@ -127,7 +128,7 @@ def cotangent_weights(cotangents, face_edges, edge_count):
 
 def vertex_areas(triangles, faces, vertex_count):
     """M with cotangents, a third of all areas at each vertex: triangles (F, 3, 3) -> areas (V,)."""
-    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
+    twice_area = np.linalg.norm(triangle_normals(triangles), axis=-1, keepdims=True)
     return scatter(np.broadcast_to(twice_area / 6, faces.shape), faces, vertex_count)
 
 
@@ -135,7 +136,7 @@ def vertex_areas_backward(grad_areas, triangles, faces):
     """Backward of `vertex_areas`: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
     # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
     p, q = sides(triangles)
-    normal = mesh.unit(area_vectors(triangles))[:, None]
+    normal = mesh.unit(triangle_normals(triangles))[:, None]
     return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 

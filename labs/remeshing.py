@@ -18,7 +18,7 @@ import numpy as np
 from course.given import inputs, mesh
 from course.given.distances import closest_faces, closest_on_triangles, closest_points
 
-from .regularization import area_vectors, corner_angles, smooth_explicit
+from .regularization import corner_angles, smooth_explicit, triangle_normals
 
 STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip
 LEAST_GAIN = 1e-9     # of a flip, so that rounding cannot flip to and fro
@@ -88,7 +88,7 @@ def can_flip(vertices, faces, quads):
     to_key = np.array([len(vertices), 1], np.int64)
     new = np.sort(quads[:, 2:], axis=1) @ to_key
     corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
-    normal = mesh.unit(area_vectors(corners))
+    normal = mesh.unit(triangle_normals(corners))
     empty = ~normal[:, :2].any(-1, keepdims=True)
     normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
     alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT

@@ -71,14 +71,10 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
 
-    grad_colour, colour (W, C), sees (W,): does a pixel see the edge's face? share (2,) of eq. (8).
-    Pixel j's centre is j + 0.5. Side 1 means that the face's outside is where j grows, side -1
-    where it falls. inner is the last pixel that is not outside, outer its neighbour there. If one
-    of them is off the line, the gradient is 0.
-
-    Add up `edge_pulls` of two groups. Pixels outside count if inner sees the face, and I_beyond is
-    inner's colour. Pixels inside count if they see it themselves, and I_beyond is outer's colour.
-    eps gets the sign of the edge's motion.
+    grad_colour, colour (W, C), sees (W,): does a pixel see the face? share (2,) of eq. (8). side is
+    1 if the outside is where j grows, else -1. Add up `edge_pulls` as the lecture's loop does. Its
+    inner is the last pixel that is not outside. If inner or outer is off the line, the gradient is
+    0.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])
@@ -91,14 +87,14 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
 class Sweep(NamedTuple):
     """What is swept along its rows: grad_colour, colour (H, W, C), face_index (H, W).
 
-    Of the faces at screen (F, 3, 2), only those drawn (D,) have a gradient. winding is 1 if they
-    are counter-clockwise, -1 if not.
+    Of all triangles (F, 3, 2) on the screen, only those drawn (D,) have a gradient. winding is 1 if
+    they are counter-clockwise, -1 if not.
     """
 
     grad_colour: np.ndarray
     colour: np.ndarray
     face_index: np.ndarray
-    screen: np.ndarray
+    triangles: np.ndarray
     drawn: np.ndarray
     winding: int
 
@@ -106,11 +102,11 @@ class Sweep(NamedTuple):
 def both_sweeps(grad_colour, colour, face_index, corners):
     """The Sweep along rows, and the one along columns, where x and y swap and the winding turns."""
     height, width = face_index.shape
-    screen = neural_renderer.on_screen(corners, width, height)
+    triangles = neural_renderer.on_screen(corners, width, height)
     drawn = np.unique(face_index[face_index >= 0])  # faces that are not seen get no gradient
     across = (array.swapaxes(0, 1).copy() for array in (grad_colour, colour, face_index))
-    return (Sweep(grad_colour, colour, face_index, screen, drawn, 1),
-            Sweep(*across, screen[..., ::-1], drawn, -1))
+    return (Sweep(grad_colour, colour, face_index, triangles, drawn, 1),
+            Sweep(*across, triangles[..., ::-1], drawn, -1))
 
 
 def outer_side(winding, a, b):
@@ -128,7 +124,7 @@ def sweep_backward_loop(grad_colour, colour, face_index, corners, eps=1e-4):
     for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
         for f in sweep.drawn:
             for i, j in EDGES:
-                a, b = sweep.screen[f, i], sweep.screen[f, j]
+                a, b = sweep.triangles[f, i], sweep.triangles[f, j]
                 side = outer_side(sweep.winding, a, b)
                 lines = edge_lines(a, b, len(sweep.colour))
                 for row, crossing, share in zip(*lines, strict=True):
@@ -171,7 +167,7 @@ def all_edge_lines(a, b, height):
 def crossings(sweep, i, j):
     """The Crossings of the edge from corner i to j of each face, with a pixel on either side."""
     height, width = sweep.face_index.shape
-    triangles = sweep.screen[sweep.drawn]
+    triangles = sweep.triangles[sweep.drawn]
     a, b = triangles[:, i], triangles[:, j]
     edge, row, crossing, share = all_edge_lines(a, b, height)
     side = outer_side(sweep.winding, a, b)[edge]

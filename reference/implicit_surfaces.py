@@ -165,7 +165,8 @@ def ripples(points, height, frequency):
 def ripples_backward(grad_ripples, points, height, frequency):
     """Backward of `ripples`: grad_ripples (...) -> grad_points (..., 3)."""
     # The product rule: the slope of one sine, times the other two.
-    sine, slope = np.sin(frequency * points), frequency * np.cos(frequency * points)
+    sine = np.sin(frequency * points)
+    slope = frequency * np.cos(frequency * points)
     others = np.roll(sine, 1, -1) * np.roll(sine, 2, -1)
     return (height * grad_ripples)[..., None] * slope * others
 
@@ -265,7 +266,8 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
     >>> sphere_trace(origins, directions, ("sphere", 2.0), far=4.0)
     (array([ 3., inf]), array([2, 2]))
     """
-    t, evaluations = np.zeros(len(origins)), np.zeros(len(origins), int)
+    t = np.zeros(len(origins))
+    evaluations = np.zeros(len(origins), int)
     hit = np.zeros(len(origins), bool)
     active = np.arange(len(origins))
     for _ in range(most):

@@ -5,8 +5,8 @@ but A / w and 1 / w are. t and q are fractions of a segment: t on the screen, q 
 
     q = t w_0 / (t w_0 + (1 - t) w_1)                          0 at corner 0, 1 at corner 1  (1)
     A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      which is lerp(A_0, A_1, q)    (2)
-    b_k = n_k / s,   n_k = e_k / w_k,   s = n_0 + n_1 + n_2    on the face, in space         (3)
-    db_k = (dn_k - b_k (dn_0 + dn_1 + dn_2)) / s               their derivatives             (4)
+    b_k = c_k / s,   c_k = e_k / w_k,   s = c_0 + c_1 + c_2    on the face, in space         (3)
+    db_k = (dc_k - b_k (dc_0 + dc_1 + dc_2)) / s               their derivatives             (4)
     A = b_0 A_0 + b_1 A_1 + b_2 A_2                            at a pixel that sees a face   (5)
     dA/dx = db_0/dx A_0 + db_1/dx A_1 + db_2/dx A_2            and dA/dy: its footprint      (6)
     A_pixels = B A_vertices                                    (5) for all pixels at once    (7)
@@ -83,34 +83,34 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     >>> barycentric_from_screen(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
     """
-    n = e / w
-    return n / n.sum(-1, keepdims=True)
+    c = e / w
+    return c / c.sum(-1, keepdims=True)
 
 
 # Refuse meanwhile: rasterization.normalize_derivative
 def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
-    """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
+    """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
     The three weights lie along the axis, and s broadcasts with them.
 
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])
 
-    Fine print. In lab 7, s = sum n + a small constant. The rule is the same there, and b sums to
+    Fine print. In lab 7, s = sum c + a small constant. The rule is the same there, and b sums to
     less than 1.
     """
-    # By eq. (4), dL = sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s. Collect the factors of each
-    # dn_k. Every n_k is part of s, so corner k feels what all three weights want.
+    # By eq. (4), dL = sum_k grad_b_k (dc_k - b_k sum_j dc_j) / s. Collect the factors of each
+    # dc_k. Every c_k is part of s, so corner k feels what all three weights want.
     return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
 
 
 def barycentric_from_screen_backward(grad_b, e, w):
     """Backward of eq. (3): grad_b -> grad_e, grad_w, all (..., 3) like e and w."""
-    # n = e / w: dn = de / w - n dw / w.
-    n = e / w
-    s = n.sum(-1, keepdims=True)
-    grad_n = normalize_backward(grad_b, n / s, s, axis=-1)
-    return grad_n / w, -grad_n * n / w
+    # c = e / w: dc = de / w - c dw / w.
+    c = e / w
+    b = barycentric_from_screen(e, w)
+    grad_c = normalize_backward(grad_b, b, c.sum(-1, keepdims=True), axis=-1)
+    return grad_c / w, -grad_c * c / w
 
 
 def barycentric_from_screen_derivatives(de, e, w):
@@ -119,9 +119,9 @@ def barycentric_from_screen_derivatives(de, e, w):
     de holds D derivatives of e (..., 3), such as those with respect to x and to y. w (..., 3) is
     constant.
     """
-    n = (e / w)[..., None]
-    s = n.sum(-2, keepdims=True)
-    return normalize_derivative(de / w[..., None], n / s, s, axis=-2)
+    b = barycentric_from_screen(e, w)[..., None]
+    s = (e / w).sum(-1)[..., None, None]
+    return normalize_derivative(de / w[..., None], b, s, axis=-2)
 
 
 # Refuse meanwhile: interpolate, interpolation_matrix, weight_rows, barycentric_gradient

@@ -55,12 +55,14 @@ def race(face, depth, schedule):
     >>> race(face, depth, np.array([0, 0, 1, 1])), race(face, depth, np.array([0, 1, 0, 1]))
     ((7, 0.25), (8, 0.5))
     """
-    seen, nearest = -1, np.inf
+    seen = -1
+    nearest = np.inf
     read = np.full(len(face), -1.0)
     has_read = np.zeros(len(face), np.bool_)
     for thread in schedule:
         if not has_read[thread]:
-            has_read[thread], read[thread] = True, nearest
+            has_read[thread] = True
+            read[thread] = nearest
         elif depth[thread] < read[thread]:
             seen, nearest = int(face[thread]), float(depth[thread])
     return seen, nearest
@@ -136,7 +138,8 @@ def bins(bin_of, count):  # exercise 17.4 (3 points)
         start[bin_of[n] + 1] += 1
     for k in range(count):
         start[k + 1] += start[k]
-    free, item = start.copy(), np.empty(len(bin_of), np.intp)
+    free = start.copy()
+    item = np.empty(len(bin_of), np.intp)
     for n in range(len(bin_of)):
         item[free[bin_of[n]]] = n
         free[bin_of[n]] += 1
@@ -188,16 +191,16 @@ def gathered(start, item, values):  # exercise 17.5 (2 points)
 
 
 @kernel
-def invert_face(face, screen, inverse):
+def invert_face(face, triangles, inverse):
     """Eq. (7), pass 1, the thread of one face: inverse[face] becomes M^-1, or nan without an area.
 
-    screen (F, 3, 2): the faces' corners, inverse (F, 3, 3).
+    triangles (F, 3, 2): the faces' corners, inverse (F, 3, 3).
     """
     double_area = 0.0
     for k in range(3):
         i, j = (k + 1) % 3, (k + 2) % 3
-        x_i, y_i, x_j, y_j = (screen[face, i, 0], screen[face, i, 1],
-                              screen[face, j, 0], screen[face, j, 1])
+        x_i, y_i, x_j, y_j = (triangles[face, i, 0], triangles[face, i, 1],
+                              triangles[face, j, 0], triangles[face, j, 1])
         inverse[face, k, 0], inverse[face, k, 1] = y_i - y_j, x_j - x_i
         inverse[face, k, 2] = x_i * y_j - x_j * y_i
         double_area += inverse[face, k, 2]
@@ -209,28 +212,31 @@ def invert_face(face, screen, inverse):
 
 
 @kernel
-def three_passes(screen, z, colours, width, height):  # exercise 17.6 (5 points)
+def three_passes(triangles, z, colours, width, height):  # exercise 17.6 (5 points)
     """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels.
 
-    screen (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C) -> picture
+    triangles (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C) -> picture
     (height, width, C), 0 where no face is seen. Pass 1 is the given `invert_face` for each face:
     nan marks one without area, which covers nothing. Passes 2 and 3 are fused in one loop over
     pixels, sampled at (j + 0.5, i + 0.5). Of equally deep faces, the first is seen.
 
-    >>> screen, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
-    >>> three_passes(screen, z, np.array([[[8.0], [4.0], [4.0]]]), 4, 2).round(3)[..., 0]
+    >>> triangles, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
+    >>> three_passes(triangles, z, np.array([[[8.0], [4.0], [4.0]]]), 4, 2).round(3)[..., 0]
     array([[6.857, 5.714, 4.571, 0.   ],
            [4.8  , 0.   , 0.   , 0.   ]])
     """
-    inverse = np.empty((len(screen), 3, 3))
-    for face in range(len(screen)):
-        invert_face(face, screen, inverse)
+    inverse = np.empty((len(triangles), 3, 3))
+    for face in range(len(triangles)):
+        invert_face(face, triangles, inverse)
     picture = np.zeros((height, width, colours.shape[2]))
     for pixel in range(width * height):
         i, j = pixel // width, pixel % width
-        x, y, seen, nearest = j + 0.5, i + 0.5, -1, np.inf
+        x = j + 0.5
+        y = i + 0.5
+        seen = -1
+        nearest = np.inf
         q0, q1, q2 = 0.0, 0.0, 0.0
-        for face in range(len(screen)):
+        for face in range(len(triangles)):
             c = inverse[face, :, 0] * x + inverse[face, :, 1] * y + inverse[face, :, 2]
             if c[0] >= 0 and c[1] >= 0 and c[2] >= 0:
                 p0, p1, p2 = c[0] / z[face, 0], c[1] / z[face, 1], c[2] / z[face, 2]

@@ -35,27 +35,28 @@ class Fragments(NamedTuple):
     sign: np.ndarray
 
 
-def soft_fragments(screen, width, height, sigma):
-    """The Fragments of eq. (9): faces at screen (F, 3, 2), pixel = row * width + column."""
+def soft_fragments(triangles, width, height, sigma):
+    """The Fragments of eq. (9) for triangles (F, 3, 2), pixel = row * width + column."""
     reach = np.sqrt(sigma * np.log(1 / LEAST_PROBABILITY - 1))
-    bounds = np.stack([screen.min(1) - reach, screen.max(1) + reach], 1)
+    bounds = np.stack([triangles.min(1) - reach, triangles.max(1) + reach], 1)
     x0, y0, x1, y1 = neural_renderer.pixel_box(bounds, width, height)
     owner, row = expand(y0, y1 - y0)
     span, column = expand(x0[owner], (x1 - x0)[owner])
     face, row = owner[span], row[span]
     centre = np.stack([column, row], -1) + 0.5
-    edge, t, away, sign = nearest_on_border(centre, screen[face])
+    edge, t, away, sign = nearest_on_border(centre, triangles[face])
     near = (sign > 0) | ((away**2).sum(1) < reach**2)
     found = Fragments(row * width + column, face, edge, t, away, sign)
     return Fragments(*(values[near] for values in found))
 
 
-def nearest_on_border(point, screen):
-    """The point of a triangle's border that is nearest: point (N, 2), screen (N, 3, 2), of either
-    winding -> edge, t (N,), away (N, 2), sign (N,), as of Fragments.
+def nearest_on_border(point, triangles):
+    """The point of a triangle's border that is nearest: point (N, 2), triangles (N, 3, 2), of
+    either winding -> edge, t (N,), away (N, 2), sign (N,), as of Fragments.
     """
-    start, end = (screen[:, list(ends)] for ends in zip(*EDGES, strict=True))
-    along, from_start = end - start, point[:, None] - start
+    start, end = (triangles[:, list(ends)] for ends in zip(*EDGES, strict=True))
+    along = end - start
+    from_start = point[:, None] - start
     length = (along**2).sum(2)
     t = np.clip((from_start * along).sum(2) / np.where(length > 0, length, 1), 0, 1)
     away = from_start - t[..., None] * along
@@ -71,23 +72,23 @@ def signed_square(fragments, sigma):
     return fragments.sign * (fragments.away**2).sum(1) / sigma
 
 
-def soft_silhouette(screen, width, height, sigma):
-    """Eq. (9): S (height, width), from 0 to 1. screen (F, 3, 2), sigma in pixels^2.
+def soft_silhouette(triangles, width, height, sigma):
+    """Eq. (9): S (height, width), from 0 to 1. triangles (F, 3, 2), sigma in pixels^2.
 
     Faces of either winding count. Where n faces lie over each other or side by side, a pixel on the
     border has 1 - 1/2^n. (SoftRas measures in ndc. Its sigma of 1e-5 there is 0.01 pixels^2 at
     64 x 64. Outside, it leaves out a face with D below 1e-4.)
     """
-    found = soft_fragments(screen, width, height, sigma)
+    found = soft_fragments(triangles, width, height, sigma)
     seen_by = np.logaddexp(0, signed_square(found, sigma))  # -log(1 - D)
     total = scatter(seen_by, found.pixel, width * height)
     return -np.expm1(-total).reshape(height, width)
 
 
-def soft_silhouette_backward(grad_silhouette, screen, sigma):
-    """Backward of eq. (9): grad_silhouette (H, W) -> grad_screen (F, 3, 2), exact."""
+def soft_silhouette_backward(grad_silhouette, triangles, sigma):
+    """Backward of eq. (9): grad_silhouette (H, W) -> grad_triangles (F, 3, 2), exact."""
     height, width = grad_silhouette.shape
-    found = soft_fragments(screen, width, height, sigma)
+    found = soft_fragments(triangles, width, height, sigma)
     s = signed_square(found, sigma)
     total = scatter(np.logaddexp(0, s), found.pixel, width * height)
     # S = 1 - exp(-total), and total = sum log(1 + exp(s)): dS = exp(-total) D ds.
@@ -98,5 +99,5 @@ def soft_silhouette_backward(grad_silhouette, screen, sigma):
     grad_near = -2 * (grad_s * found.sign / sigma)[:, None] * found.away
     share = np.stack([1 - found.t, found.t], 1)
     corner = 3 * found.face[:, None] + np.array(EDGES)[found.edge]
-    grad_corner = scatter(share[..., None] * grad_near[:, None], corner, 3 * len(screen))
-    return grad_corner.reshape(screen.shape)
+    grad_corner = scatter(share[..., None] * grad_near[:, None], corner, 3 * len(triangles))
+    return grad_corner.reshape(triangles.shape)

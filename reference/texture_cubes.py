@@ -75,7 +75,8 @@ def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
     """
     t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
     low = np.minimum(np.floor(t), size - 2).astype(int)
-    index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
+    index = np.zeros((len(t), 8), int)
+    tap = np.ones((len(t), 8))
     for n in range(8):
         for k in range(3):
             upper = n >> k & 1
@@ -259,7 +260,8 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     grad_light = scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
                                                     tap)
-    grad_weight, grad_depth = np.zeros(maps.screen_weights.shape), np.zeros(maps.depth.shape)
+    grad_weight = np.zeros(maps.screen_weights.shape)
+    grad_depth = np.zeros(maps.depth.shape)
     grad_weight[seen], grad_depth[seen], grad_z = cube_taps_backward(grad_tap, *samples)
     grad_corners = neural_renderer.rasterize_backward(grad_weight, grad_depth, maps.face_index,
                                                       corners)

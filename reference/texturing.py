@@ -141,10 +141,9 @@ def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points
     matrix = look_up_matrix(len(texels), index, weight)
 
     def by_weight(grad, texel):
-        return (texels.take(texel, 0) @ grad[..., None])[..., 0],
+        return (texels.take(texel, 0) @ grad[..., None])[..., 0]
 
-    grad_weight, = in_parts(by_weight, grad_colour, index)
-    return matrix.T @ grad_colour, grad_weight
+    return matrix.T @ grad_colour, in_parts(by_weight, grad_colour, index)
 
 
 def look_up_matrix(texel_count, index, weight):
@@ -160,10 +159,12 @@ def look_up_matrix(texel_count, index, weight):
 
 
 def in_parts(function, *arrays):
-    """function(*arrays) -> arrays, all (N, ...): computed for the rows of `in_chunks` in turn."""
+    """function(*arrays) -> an array, or several, (N, ...): for the rows of `in_chunks` in turn."""
     chunks = list(zip(*map(in_chunks, arrays), strict=True)) or [arrays]
     parts = [function(*chunk) for chunk in chunks]
-    return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
+    if isinstance(parts[0], tuple):
+        return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
+    return np.concatenate(parts)
 
 
 def near_texture(x, boundary):

@@ -4,196 +4,263 @@
               <-        <---------------               <-                 <-       inside of faces
                         <---------------------------------                         at outlines
 
-Which face a pixel sees has no gradient: it jumps. So two pixels are blended by where an outline
-crosses between them. `python3 reference/tiny.py` needs NumPy, checks a derivative, and pulls a ball
-to a star's picture: tiny.bmp. (Lab n) derives a step. Left out: speed, faces behind the camera.
+A closed mesh has V points with a colour each, and F faces, its triangles: the numbers of three
+points, counter-clockwise seen from outside. A picture has size x size pixels, row 0 at the bottom.
+The loss says how far it is from another one. grad_x is the gradient of the loss with respect to x:
+how fast the loss grows with each number of x. f_backward takes this of what f returned, and returns
+it of what f took. (Lab n) derives a step. Left out: speed, and faces behind the camera.
+
+Which face a pixel sees has no gradient: it jumps. So two neighbouring pixels are blended by where
+an outline crosses between them. This place has a gradient.
+
+`python3 reference/tiny.py` checks one derivative, and pulls a ball until it looks like a star.
+tiny.png shows the ball, what became of it, and the star.
 """
 import numpy as np
+from matplotlib import image
 
-EDGES = np.array([(1, 2), (2, 0), (0, 1)])  # edge k lies across from corner k
+EDGES = [(1, 2), (2, 0), (0, 1)]  # edge k of a face joins the two corners other than corner k
 
 
 def screen_points(positions, camera, size):
-    """(Lab 1) positions (V, 3), camera (4, 4) -> x, y in pixels, depth, and w: screen (4, V)."""
+    """(Lab 1) Points (V, 3) -> x, y in pixels, depth, w (V,).
+
+    The camera is a matrix (4, 4). It makes w the distance from itself. What is twice as far away
+    looks half as large: so X and Y are divided by w. The picture reaches from -1 to 1 in both.
+    """
     X, Y, Z, w = camera[:, :3] @ positions.T + camera[:, 3:]
-    return np.stack([(X / w + 1) * size / 2, (Y / w + 1) * size / 2, Z / w, w])
+    return (X / w + 1) * size / 2, (Y / w + 1) * size / 2, Z / w, w
 
 
-def screen_points_backward(grad_screen, screen, camera, size):
-    """x = (X / w + 1) size / 2: dx/dX = size / 2w, dx/dw = -X / w times that. So with y."""
-    grad_XY = grad_screen[:2] * size / 2 / screen[3]
-    grad_w = grad_screen[3] - (grad_XY * (2 * screen[:2] / size - 1)).sum(0)
-    return np.append(grad_XY, [grad_w], 0).T @ camera[[0, 1, 3], :3]
+def screen_points_backward(grad_x, grad_y, grad_w, x, y, w, camera, size):
+    """x = (X / w + 1) size / 2, so dx/dX = size / 2w, and dx/dw = -X / w dx/dX. So with y."""
+    grad_X = grad_x * size / (2 * w)
+    grad_Y = grad_y * size / (2 * w)
+    grad_w = grad_w - (2 * x / size - 1) * grad_X - (2 * y / size - 1) * grad_Y  # X / w, Y / w
+    return np.stack([grad_X, grad_Y, grad_w], 1) @ camera[[0, 1, 3], :3]  # what made X, Y and w
 
 
 def edge_functions(x, y):
-    """(Lab 2) e_k = x_i y_j - y_i x_j, for a face's corners (3, ...) measured from the pixel."""
+    """(Lab 2) e_k: twice the area of the triangle between a place and edge k of a face.
+
+    x, y (3, ...) lead from the place to the face's corners. Counter-clockwise triangles have an
+    area > 0, so all e_k > 0 mean: it lies inside. Their sum is twice the area of the face.
+    """
     return np.stack([x[i] * y[j] - y[i] * x[j] for i, j in EDGES])
 
 
-def rasterize(screen, faces, size):
-    """(Lab 2) The nearest face at each pixel's centre, -1 for none, and its depth: (size, size)."""
-    seen, nearest = np.full((size, size), -1), np.full((size, size), np.inf)
-    for face, corner in enumerate(faces):
-        x, y, z, _ = screen[:, corner, None, None]
-        box = tuple(slice(*np.clip([p.min(), p.max() + 1], 0, size).astype(int)) for p in (y, x))
-        row, column = np.mgrid[box]
-        e = edge_functions(x - column - 0.5, y - row - 0.5)
-        l = e / np.where(e.sum(0) == 0, np.nan, e.sum(0))  # it covers the pixel where all are >= 0
-        depth = (l * z).sum(0)
-        nearer = (l >= 0).all(0) & (depth < nearest[box])
-        seen[box][nearer], nearest[box][nearer] = face, depth[nearer]
+def face_areas(x, y, faces):
+    """Twice the area of each face on the screen (F,), negative where its back is seen."""
+    return edge_functions(x[faces.T], y[faces.T]).sum(0)
+
+
+def rasterize(x, y, depth, faces, size):
+    """(Lab 2) Which face is nearest at each pixel's centre, -1 for none, and its depth there."""
+    seen = np.full((size, size), -1)
+    nearest = np.full((size, size), np.inf)
+    row, column = np.mgrid[:size, :size]  # of each pixel, with its centre half a pixel further
+    area = face_areas(x, y, faces)
+    for face in np.flatnonzero(area > 0):
+        corner = faces[face].reshape(3, 1, 1)
+        share = edge_functions(x[corner] - column - 0.5, y[corner] - row - 0.5) / area[face]
+        face_depth = (share * depth[corner]).sum(0)  # a mean, as the shares add up to 1
+        nearer = (share >= 0).all(0) & (face_depth < nearest)
+        seen[nearer] = face
+        nearest[nearer] = face_depth[nearer]
     return seen, nearest
 
 
-def interpolate(colours, screen, faces, seen):
-    """(Lab 5) Colours in perspective: sum b_k A_k, b_k = c_k / s, c_k = e_k / w_k, s = sum c_k."""
+def interpolate(colours, x, y, w, faces, seen):
+    """(Lab 5) The plain picture: pixels get a mean of their face's corners, sum b_k colour_k.
+
+    b_k = c_k / s, where c_k = e_k / w_k, and s is their sum. Without w_k, what is in the middle on
+    the screen would be taken from the middle of the face. But its far half looks smaller.
+    """
     row, column = np.nonzero(seen >= 0)
-    corner = faces[seen[row, column]].T
-    x, y = screen[0, corner] - column - 0.5, screen[1, corner] - row - 0.5
-    c = edge_functions(x, y) / screen[3, corner]
-    b, s = c / c.sum(0), c.sum(0)
+    corner = faces[seen[row, column]].T  # (3, N), for N pixels
+    to_x = x[corner] - column - 0.5
+    to_y = y[corner] - row - 0.5
+    c = edge_functions(to_x, to_y) / w[corner]
+    s = c.sum(0)
+    b = c / s
     picture = np.zeros((*seen.shape, colours.shape[1]))
     picture[row, column] = (b[..., None] * colours[corner]).sum(0)
-    return picture, (row, column, corner, x, y, b, s)
+    return picture, (row, column, corner, to_x, to_y, b, s)
 
 
-def interpolate_backward(grad_picture, kept, colours, screen):
-    """(Lab 7) -> grad_colours (V, C), grad_screen (4, V)."""
-    row, column, corner, x, y, b, s = kept
+def interpolate_backward(grad_picture, kept, colours, w):
+    """(Lab 7) -> grad_colours (V, C), grad_x, grad_y, grad_w (V,).
+
+    A point is a corner for many pixels: np.add.at adds up what comes back from all of them.
+    """
+    row, column, corner, to_x, to_y, b, s = kept
+    grad_colours = np.zeros(colours.shape)
+    grad_x, grad_y, grad_w = np.zeros((3, len(colours)))
     grad = grad_picture[row, column]
-    grad_colours, grad_screen = np.zeros(colours.shape), np.zeros(screen.shape)
-    np.add.at(grad_colours, corner, b[..., None] * grad)  # what was gathered is scattered
+    np.add.at(grad_colours, corner, b[..., None] * grad)
     grad_b = (grad * colours[corner]).sum(-1)
-    grad_e = (grad_b - (b * grad_b).sum(0)) / s / screen[3, corner]  # b = c / s, c = e / w
-    np.add.at(grad_screen[3], corner, -grad_e * b * s)
-    np.add.at(grad_screen[0], corner, edge_functions(y, grad_e))  # e = x cross y, and so
-    np.add.at(grad_screen[1], corner, edge_functions(grad_e, x))  # g.(x cross y) = x.(y cross g)
-    return grad_colours, grad_screen
+    grad_c = (grad_b - (b * grad_b).sum(0)) / s  # b_k = c_k / s, and each c_k is a part of s
+    grad_e = grad_c / w[corner]
+    np.add.at(grad_w, corner, -grad_e * b * s)  # dc/dw = -c / w, and c = b s
+    # e is the cross product of x and y, so a gradient g of e gives x y cross g, and y g cross x.
+    np.add.at(grad_x, corner, edge_functions(to_y, grad_e))
+    np.add.at(grad_y, corner, edge_functions(grad_e, to_x))
+    return grad_colours, grad_x, grad_y, grad_w
 
 
-def neighbour_pairs(seen, nearest):
-    """(Lab 8) Neighbours that see different faces: owner, which sees the nearer one, and other."""
-    pixel, seen, nearest = np.arange(seen.size).reshape(seen.shape), seen.ravel(), nearest.ravel()
-    pairs = np.stack([np.append(pixel[:, :-1], pixel[:-1]), np.append(pixel[:, 1:], pixel[1:])])
-    first, second = pairs[:, seen[pairs[0]] != seen[pairs[1]]]
-    return np.where(nearest[first] < nearest[second], [first, second], [second, first])
+def outlines(x, y, faces):
+    """(Lab 8) Is edge k of a face an outline, between a face's front and another's back? (F, 3)"""
+    face_at = {(face[i], face[j]): number for number, face in enumerate(faces) for i, j in EDGES}
+    beyond = np.array([[face_at[face[j], face[i]] for i, j in EDGES] for face in faces])
+    area = face_areas(x, y, faces)
+    return area[:, None] * area[beyond] <= 0
 
 
-def corners_across(faces):
-    """(Lab 8) The corner beyond each edge, in the face on its other side: (F, 3). Closed meshes."""
-    ends = np.sort(faces[:, EDGES], -1).reshape(-1, 2)
-    edge = np.unique(ends, axis=0, return_inverse=True)[1].reshape(-1, 3)
-    return np.bincount(edge.ravel(), faces.ravel())[edge].astype(int) - faces  # two, less one
+def row_pairs(x, y, faces, seen, nearest, number):
+    """(Lab 8) Neighbours in a row that see different faces, with an outline between their centres.
 
-
-def blended_pairs(screen, faces, seen, nearest):
-    """(Lab 8) Pairs with an outline between them, at c: 0 at owner's centre, 1 at other's."""
-    owner, other = neighbour_pairs(seen, nearest)
-    size, face, n, (i, j) = len(seen), seen.ravel()[owner], np.arange(len(owner)), EDGES.T
-    dx, dy, corner = other % size - owner % size, other // size - owner // size, faces[face].T
-    x, y = screen[0, corner] - owner % size - 0.5, screen[1, corner] - owner // size - 0.5
-    u, v = dx * x + dy * y, abs(dy) * x + abs(dx) * y
-    crosses = (v[i] < 0) != (v[j] < 0)  # the edge from i to j meets the line v = 0, at c
-    c = np.where(crosses, edge_functions(u, v) / np.where(crosses, v[j] - v[i], 1), -np.inf)
-    k = c.argmax(0)  # the last: there the line leaves the face
-    at, own, across = (EDGES[k].T, n), corner[k, n], corners_across(faces)[face, k]
-    ends, u, v, c = corner[at], u[at], v[at], c[k, n]
-    side, beyond = (edge_functions(*screen[:2, [*ends, p]]).sum(0) for p in (own, across))
-    kept = (side * beyond >= 0) & (abs(v[1] - v[0]) >= abs(u[1] - u[0])) & (0 <= c) & (c <= 1)
-    return [part[..., kept] for part in (owner, other, ends, u, v, dx, dy, c)]
+    The outline belongs to the nearer face, and is where the line from that face's pixel to the
+    other pixel leaves the face: at the last of its edges that the line meets.
+    """
+    row, column = np.nonzero(seen[:, :-1] != seen[:, 1:])  # of the left pixel
+    is_left = nearest[row, column] < nearest[row, column + 1]  # is the left face the nearer one?
+    face = seen[row, np.where(is_left, column, column + 1)]
+    start = faces[face][:, [1, 2, 0]].T  # (3, N), the points where edges 0, 1 and 2 start
+    end = faces[face][:, [2, 0, 1]].T
+    meets = (y[start] < row + 0.5) != (y[end] < row + 0.5)  # one end below the line, one above
+    rise = np.where(meets, y[end] - y[start], np.inf)
+    slope = (x[end] - x[start]) / rise
+    share = (row + 0.5 - y[start]) / rise  # how far from start to end the edge meets the line
+    crossing = x[start] + share * (x[end] - x[start])
+    last = np.where(meets, np.where(is_left, crossing, -crossing), -np.inf).argmax(0)
+    start, end, meets, slope, share, crossing = (
+        np.choose(last, part) for part in (start, end, meets, slope, share, crossing))
+    alpha = column + 1 - crossing  # how far left of the border between the two pixels
+    # Flatter outlines are left to the pairs in columns.
+    kept = outlines(x, y, faces)[face, last] & meets & (abs(slope) <= 1) & (abs(alpha) <= 0.5)
+    pairs = (number[row, column], number[row, column + 1], alpha,
+             np.stack([start, end]), np.stack([1 - share, share]), slope)
+    return [part[..., kept] for part in pairs]
 
 
 def blend(picture, pairs):
-    """(Lab 8) The pixel with the edge (c < 1/2: owner) gets (1/2 - c) (other - owner)."""
-    owner, other, *_, c = pairs
+    """(Lab 8) Let the colour change at the outline, and not at the border between two pixels.
+
+    If it crosses in the first pixel, the part alpha of that one gets the second one's colour. Else
+    alpha <= 0, and the part -alpha of the second one gets the first one's.
+    """
     flat = picture.reshape(-1, picture.shape[2])
-    blended, jump = flat.copy(), flat[other] - flat[owner]
-    np.add.at(blended, np.where(c < 0.5, owner, other), (0.5 - c[:, None]) * jump)
+    blended = flat.copy()
+    for first, second, alpha, *_ in pairs:
+        crossed = np.where(alpha > 0, first, second)
+        np.add.at(blended, crossed, alpha[:, None] * (flat[second] - flat[first]))
     return blended.reshape(picture.shape)
 
 
-def blend_backward(grad_blended, picture, pairs, screen):
-    """(Lab 8) An outline that moves changes colours -> grad_picture, grad_screen (4, V)."""
-    owner, other, ends, u, v, dx, dy, c = pairs
-    alpha, flat = 0.5 - c[:, None], picture.reshape(-1, picture.shape[2])
-    grad_picture, grad_screen = grad_blended.reshape(flat.shape).copy(), np.zeros(screen.shape)
-    grad_changed = grad_picture[np.where(c < 0.5, owner, other)]
-    np.add.at(grad_picture, other, alpha * grad_changed)
-    np.add.at(grad_picture, owner, -alpha * grad_changed)
-    slope = (grad_changed * (flat[owner] - flat[other])).sum(1) / (v[1] - v[0])
-    grad_u, grad_v = slope * np.stack([v[1], -v[0]]), slope * np.stack([c - u[1], u[0] - c])
-    np.add.at(grad_screen[0], ends, dx * grad_u + abs(dy) * grad_v)
-    np.add.at(grad_screen[1], ends, dy * grad_u + abs(dx) * grad_v)
-    return grad_picture.reshape(picture.shape), grad_screen
+def blend_backward(grad_blended, picture, pairs, count):
+    """(Lab 8) -> grad_picture, and for count points grad_x, grad_y.
+
+    alpha falls as the crossing grows, and that is (1 - share) x_start + share x_end in a row. An
+    end that moves up by dy moves the crossing as much as one that moves left by slope dy.
+    """
+    flat = picture.reshape(-1, picture.shape[2])
+    grad_flat = grad_blended.reshape(flat.shape)
+    grad_picture = grad_flat.copy()
+    grad_x, grad_y = np.zeros((2, count))
+    in_rows, in_columns = pairs
+    for grad_along, grad_across, kept in (grad_x, grad_y, in_rows), (grad_y, grad_x, in_columns):
+        first, second, alpha, ends, shares, slope = kept
+        grad_crossed = grad_flat[np.where(alpha > 0, first, second)]
+        np.add.at(grad_picture, second, alpha[:, None] * grad_crossed)
+        np.add.at(grad_picture, first, -alpha[:, None] * grad_crossed)
+        grad_alpha = (grad_crossed * (flat[second] - flat[first])).sum(1)
+        np.add.at(grad_along, ends, -grad_alpha * shares)
+        np.add.at(grad_across, ends, grad_alpha * shares * slope)
+    return grad_picture.reshape(picture.shape), grad_x, grad_y
 
 
 def render(positions, colours, faces, camera, size):
-    """(Lab 9) A closed mesh with colours (V, C) -> picture (size, size, C), and what is kept."""
-    screen = screen_points(positions, camera, size)
-    seen, nearest = rasterize(screen, faces, size)
-    plain, inside = interpolate(colours, screen, faces, seen)
-    pairs = blended_pairs(screen, faces, seen, nearest)
-    return blend(plain, pairs), (screen, plain, inside, pairs)
+    """(Lab 9) A mesh with colours (V, C) -> picture (size, size, C), and what is kept."""
+    x, y, depth, w = screen_points(positions, camera, size)
+    seen, nearest = rasterize(x, y, depth, faces, size)
+    plain, inside = interpolate(colours, x, y, w, faces, seen)
+    number = np.arange(size * size).reshape(size, size)  # of each pixel
+    pairs = (row_pairs(x, y, faces, seen, nearest, number),
+             row_pairs(y, x, faces, seen.T, nearest.T, number.T))  # columns become rows
+    return blend(plain, pairs), (x, y, w, plain, inside, pairs)
 
 
 def render_backward(grad_picture, kept, colours, camera):
     """(Lab 9) -> grad_positions (V, 3), grad_colours (V, C)."""
-    screen, plain, inside, pairs = kept
-    grad_plain, grad_outline = blend_backward(grad_picture, plain, pairs, screen)
-    grad_colours, grad_inside = interpolate_backward(grad_plain, inside, colours, screen)
-    grad = grad_inside + grad_outline  # both move the corners on the screen
-    return screen_points_backward(grad, screen, camera, len(grad_picture)), grad_colours
+    x, y, w, plain, inside, pairs = kept
+    grad_plain, outline_x, outline_y = blend_backward(grad_picture, plain, pairs, len(x))
+    grad_colours, grad_x, grad_y, grad_w = interpolate_backward(grad_plain, inside, colours, w)
+    grad_positions = screen_points_backward(
+        grad_x + outline_x, grad_y + outline_y, grad_w, x, y, w, camera, len(plain))
+    return grad_positions, grad_colours
+
+
+def loss_and_gradients(positions, colours, faces, camera, target):
+    """(Lab 9) The mean squared error of a picture -> loss, grad_positions, grad_colours."""
+    picture, kept = render(positions, colours, faces, camera, len(target))
+    error = picture - target
+    return (error**2).mean(), *render_backward(2 * error / error.size, kept, colours, camera)
+
+
+def descend(positions, colours, faces, camera, target, steps=400):
+    """(Labs 9, 13) Go against the gradient, step by step.
+
+    It pulls single points, at outlines. smooth spreads that over their neighbours, and velocity
+    keeps what steps have in common.
+    """
+    joined = np.zeros((len(positions), len(positions)))
+    for i, j in EDGES:
+        joined[faces[:, i], faces[:, j]] = 1  # each edge is in two faces, once from either end
+    smooth = np.linalg.inv(np.eye(len(positions)) + np.diag(joined.sum(0)) - joined)
+    velocity = 0
+    for step in range(steps):
+        _, grad_x, grad_colours = loss_and_gradients(positions, colours, faces, camera, target)
+        velocity = 0.8 * velocity + smooth @ grad_x
+        positions = positions - 0.03 * 0.995**step * velocity / np.abs(velocity).max()
+        colours = colours - 60 * grad_colours * [1, 1, 1, 0]  # the fourth says where a face is
+    return positions, colours
 
 
 def ball(steps):
-    """(Lab 11) An octahedron, each face cut in four, steps times: vertices (V, 3), faces (F, 3)."""
-    soup = (2 * np.array([*np.ndindex(2, 2, 2)]) - 1)[:, :, None] * np.eye(3)
+    """(Lab 11) An octahedron, each face cut in four, steps times -> points (V, 3), faces (F, 3)."""
+    right, up, front = np.eye(3)
+    around = [right, up, -right, -up]
+    triangles = np.array([[front, around[k - 1], around[k]] for k in range(4)]
+                         + [[-front, around[k], around[k - 1]] for k in range(4)])
     for _ in range(steps):
-        middle = (soup + np.roll(soup, -1, 1)) / 2
-        corners = [np.stack([soup[:, k], middle[:, k], middle[:, k - 1]], 1) for k in range(3)]
-        soup = np.concatenate([middle, *corners])
-    vertices, faces = np.unique(soup.reshape(-1, 3), axis=0, return_inverse=True)
-    return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces.reshape(-1, 3)
-
-
-def loss_and_gradients(x, colours, faces, camera, target):
-    """(Lab 9) The mean squared error of a picture -> loss, grad_positions, grad_colours."""
-    picture, kept = render(x, colours, faces, camera, len(target))
-    grads = render_backward(2 * (picture - target) / picture.size, kept, colours, camera)
-    return ((picture - target)**2).mean(), *grads
-
-
-def descend(x, colours, faces, camera, target, steps=400):
-    """(As in lab 13) (1 + Laplacian)^-1 makes a step smooth: the mesh moves as a whole."""
-    near, following, velocity = np.zeros((len(x), len(x))), np.roll(faces, 1, 1), 0
-    near[faces, following] = near[following, faces] = 1
-    smooth = np.linalg.inv(np.eye(len(x)) + np.diag(near.sum(0)) - near)
-    for step in range(steps):
-        _, grad_x, grad_colours = loss_and_gradients(x, colours, faces, camera, target)
-        velocity = 0.8 * velocity + smooth @ grad_x
-        x = x - 0.03 * 0.995**step * velocity / max(np.abs(velocity).max(), 1e-30)
-        colours = colours - 60 * grad_colours * [1, 1, 1, 0]
-    return x, colours
+        a, b, c = triangles.transpose(1, 0, 2)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        quarters = [a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]
+        triangles = np.concatenate([np.stack(quarter, 1) for quarter in quarters])
+    points, faces = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
+    return points / np.linalg.norm(points, axis=1, keepdims=True), faces.reshape(-1, 3)
 
 
 def main(size=64):
+    """Pull a grey ball to the picture of a painted star."""
     camera = np.array([[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, -1, 3], [0, 0, -1, 4]])
-    x, faces = ball(2)
-    star = x * (0.78 + 0.25 * np.cos(5 * np.arctan2(x[:, :1], x[:, 1:2])))
-    paint = np.insert(0.5 + 0.5 * np.sin(3 * x + np.arange(3)), 3, 1, 1)  # 1: coverage
-    scene = np.full(paint.shape, [0.5, 0.5, 0.5, 1]), faces, camera
-    target, start = render(star, paint, faces, camera, size)[0], render(x, *scene, size)[0]
-    grad_x = loss_and_gradients(x, *scene, target)[1]
-    bump = 1e-6 * (grad_x == grad_x.max())  # one coordinate of one vertex
-    up, down = (loss_and_gradients(x + d, *scene, target)[0] for d in (bump, -bump))
+    positions, faces = ball(2)
+    angle = np.arctan2(positions[:, :1], positions[:, 1:2])
+    star = positions * (0.78 + 0.25 * np.cos(5 * angle))
+    paint = np.insert(0.5 + 0.5 * np.sin(3 * positions + np.arange(3)), 3, 1, axis=1)
+    grey = np.full(paint.shape, [0.5, 0.5, 0.5, 1])  # red, green, blue, and 1 where a face is
+    target, _ = render(star, paint, faces, camera, size)
+    start, _ = render(positions, grey, faces, camera, size)
+    before, grad_x, _ = loss_and_gradients(positions, grey, faces, camera, target)
+    bump = np.zeros(positions.shape)
+    bump.flat[grad_x.argmax()] = 1e-6  # one coordinate of one point
+    up, *_ = loss_and_gradients(positions + bump, grey, faces, camera, target)
+    down, *_ = loss_and_gradients(positions - bump, grey, faces, camera, target)
     print(f"one derivative, backward {grad_x.max():.9f}, by a difference {(up - down) / 2e-6:.9f}")
-    found = render(*descend(x, *scene, target), faces, camera, size)[0]
-    print("loss before, after:", *(((one - target)**2).mean().round(4) for one in (start, found)))
-    shown = np.hstack([start, found, target])[..., 2::-1].repeat(4, 0).repeat(4, 1)  # blue first
-    head = np.array([54 + shown.size, 0, 54, 40, *shown.shape[1::-1], 24 << 16 | 1, *6 * [0]], "u4")
-    with open("tiny.bmp", "wb") as file:
-        file.write(b"BM" + head.tobytes() + np.uint8(255 * shown.clip(0, 1)**(1 / 2.2)).tobytes())
+    found, _ = render(*descend(positions, grey, faces, camera, target), faces, camera, size)
+    print("loss before, after:", before.round(4), ((found - target)**2).mean().round(4))
+    shown = np.hstack([start, found, target])[..., :3].clip(0, 1)**(1 / 2.2)  # as displays want it
+    image.imsave("tiny.png", shown.repeat(4, 0).repeat(4, 1), origin="lower")
 
 
 if __name__ == "__main__":

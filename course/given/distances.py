@@ -19,7 +19,8 @@ def closest_on_triangles(p, triangles):
     """
     side = np.roll(triangles, -1, -2) - triangles                  # (N, 3, 3)
     normal = np.cross(side[:, 0], side[:, 1])
-    square, length = (normal**2).sum(-1), (side**2).sum(-1)
+    square = (normal**2).sum(-1)
+    length = (side**2).sum(-1)
     to_p = p[:, None] - triangles
     # On each side, as far along it as p is, but not beyond its ends; the nearest of the three.
     t = np.clip((to_p * side).sum(-1) / np.where(length > 0, length, 1), 0, 1)

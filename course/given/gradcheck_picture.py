@@ -32,7 +32,8 @@ def draw(part, name, steps, D, change):
 
 def states(part):
     """Of each number that was looked at: -1 off, 1 left out, 0 right."""
-    found, off = np.full(part.numeric.shape, np.nan), part.off()
+    found = np.full(part.numeric.shape, np.nan)
+    off = part.off()
     for index in part.probes:
         found[index] = -1 if off[index] else 1 if np.isnan(part.numeric[index]) else 0
     return found

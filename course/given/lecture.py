@@ -67,7 +67,8 @@ class Waiting:
     """What a notebook waits for. missing: {name that a cell did not make: exercise it needs}."""
 
     def __init__(self, shell):
-        self.shell, self.missing = shell, {}
+        self.shell = shell
+        self.missing = {}
 
     def reason(self, error):
         """-> the exercise that a cell waits for, the sentence that says so. None: a real error."""

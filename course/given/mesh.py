@@ -302,7 +302,9 @@ def split_longest(vertices, faces, face_count):
         middle = np.full(len(pairs), -1)
         middle[chosen] = len(vertices) + np.arange(len(chosen))
         split = middle[longest] >= 0
-        whole, ends, m = faces[split], pairs[longest[split]], middle[longest[split], None]
+        whole = faces[split]
+        ends = pairs[longest[split]]
+        m = middle[longest[split], None]
         vertices = np.concatenate([vertices, _rounded_middles(vertices, faces, pairs[chosen])])
         faces = np.concatenate([faces[~split], np.where(whole == ends[:, :1], m, whole),
                                 np.where(whole == ends[:, 1:], m, whole)])
@@ -315,7 +317,8 @@ def _rounded_middles(vertices, faces, pairs):
     They are those of the cubic edges of Vlachos et al. 2001, "Curved PN triangles": the middle goes
     half as far as the two tangent planes at its ends are away from it, on average.
     """
-    ends, n = vertices[pairs], vertex_normals(vertices, faces)[pairs]
+    ends = vertices[pairs]
+    n = vertex_normals(vertices, faces)[pairs]
     middles = ends.mean(1, keepdims=True)
     away = ((ends - middles) * n).sum(2, keepdims=True) * n
     return (middles + away.mean(1, keepdims=True) / 2)[:, 0]

@@ -25,7 +25,8 @@ def show(source, after):
         print(f"The pale picture was drawn with the reference. Yours comes after {after}.")
     for data, metadata in pictures:
         if "pale" not in metadata:
-            data, metadata = {"image/png": pale(data["image/png"])}, {**metadata, "pale": True}
+            data = {"image/png": pale(data["image/png"])}
+            metadata = {**metadata, "pale": True}
         display(data, metadata=metadata, raw=True)
 
 
@@ -34,7 +35,8 @@ def came_with():
     """{a cell's source: its pictures (data, metadata)}. Those of the reference have words beside
     them, alt. What a student's code draws in Jupyter has none.
     """
-    kept, found = places.out("pictures.json"), {}
+    kept = places.out("pictures.json")
+    found = {}
     for path in places.ROOT.glob("notebooks/*.ipynb"):
         with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
             found |= {"".join(cell["source"]): pictures

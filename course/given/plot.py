@@ -272,7 +272,8 @@ def signed(axes, values, title="", largest=None):
     The scale ends at the largest value, or where largest says: what is beyond has its colour.
     """
     most = np.nanmax(np.abs(values), initial=0.0) or 1.0
-    end, beyond = largest or most, "≥ " if largest and most > largest else ""
+    end = largest or most
+    beyond = "≥ " if largest and most > largest else ""
     image(axes, SIGNED(0.5 + 0.5 * np.asarray(values) / end)[..., :3], title)
     _scale(axes, SIGNED, f"{beyond.replace('≥', '≤')}{-end:.3g}", f"{beyond}{end:+.3g}")
 

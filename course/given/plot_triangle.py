@@ -46,7 +46,8 @@ def edge_function(axes, values, a, b, title=""):
     a, b = np.asarray(a, float), np.asarray(b, float)
     axes.axline(a, b, color=plot.BLACK, linewidth=0.8, linestyle=(0, (4, 3)))
     normal = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)
-    middle, length = (a + b) / 2, 0.14 * np.ptp(axes.get_xlim())
+    middle = (a + b) / 2
+    length = 0.14 * np.ptp(axes.get_xlim())
     _arrow(axes, a, b, plot.BLACK)
     _arrow(axes, middle, middle + length * normal, plot.GREEN)
     for point, name, color in ((a, "a", plot.BLACK), (b, "b", plot.BLACK),

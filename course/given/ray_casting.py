@@ -31,7 +31,8 @@ def ray_cast(points, vertices, faces, light, cells=128):
     rays, distance, x, y = seen_from(light, points, cells)
     column, row = np.clip(np.floor([x, y]), 0, cells - 1).astype(int)
     cell = row * cells + column
-    first, count, lit = start[cell], np.diff(start)[cell], np.ones(len(rays), bool)
+    first, count = start[cell], np.diff(start)[cell]
+    lit = np.ones(len(rays), bool)
     borders = np.flatnonzero(np.diff(np.cumsum(count) // AT_ONCE)) + 1
     for part in np.split(np.arange(len(rays)), borders):
         ray, entry = ranges(first[part], count[part])

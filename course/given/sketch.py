@@ -23,7 +23,8 @@ def sheet(*limits, titles=None, height=420):
     >>> before, after = sheet((0, 2, 0, 1), (0, 2, 0, 1), titles=["Before", "After"])
     """
     x0, x1, y0, y1 = np.transpose(limits)
-    wide, high = x1 - x0, np.max(y1 - y0)
+    wide = x1 - x0
+    high = np.max(y1 - y0)
     scale = min((PAGE_WIDTH - GAP * (len(limits) + 1)) / wide.sum(), height / high)
     gap = (PAGE_WIDTH - scale * wide.sum()) / (len(limits) + 1)
     page = np.ceil([PAGE_WIDTH, scale * high + (2 * LINE if titles else 0) + 2 * GAP])

@@ -59,7 +59,8 @@ def element_part(title, position, x, gradient, rng):
     order = rng.permutation(x.size)
     touched = order[gradient.flat[order] != 0][:ELEMENTS // 2]
     chosen = list(dict.fromkeys([*touched, *order[:ELEMENTS]]))[:ELEMENTS]
-    scale, probes = magnitude(x), {}
+    scale = magnitude(x)
+    probes = {}
     for index in (np.unravel_index(k, x.shape) for k in sorted(chosen)):
         direction = np.zeros(x.shape)
         direction[index] = 1.0
@@ -69,7 +70,8 @@ def element_part(title, position, x, gradient, rng):
 
 def direction_part(title, gradients, inputs, rng):
     """Slopes along random directions, in which all elements of some inputs move at once."""
-    slopes, probes = np.zeros(DIRECTIONS), {}
+    slopes = np.zeros(DIRECTIONS)
+    probes = {}
     for n in range(DIRECTIONS):
         moves = {k: rng.standard_normal(gradient.shape) * magnitude(inputs[k])
                  for k, gradient in gradients.items()}

@@ -83,8 +83,8 @@ def updated(text: str) -> str:
     whole = [exercise for lab in labs for exercise in core(lab)]
     for part, hours_of_it in (whole, sum(map(hours, labs))), (
             [exercise for exercise in whole if exercise.is_spine], spine_hours()):
-        name = "core" if part is whole else "spine"
-        text = re.sub(rf"(The {name} is [^.:]*?)\d+ exercises, about \d+ hours",
+        name = r"The core|\*\*A term\*\*" if part is whole else r"The spine|\*\*A week\*\*"
+        text = re.sub(rf"((?:{name}) is [^.:]*?)\d+ exercises, about \d+ hours",
                       rf"\g<1>{len(part)} exercises, about {hours_of_it:.0f} hours", text)
     return re.sub(r"(\| (\d+) \| \[.*\| )[\d.]+ \|",
                   lambda row: f"{row[1]}{hours(int(row[2])):g} |", text)

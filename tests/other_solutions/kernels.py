@@ -40,10 +40,10 @@ def gathered(start, item, values):
     return total
 
 
-def three_passes(screen, z, colours, width, height):
-    inverse = np.empty((len(screen), 3, 3))
-    for face in range(len(screen)):
-        invert_face(face, screen, inverse)
+def three_passes(triangles, z, colours, width, height):
+    inverse = np.empty((len(triangles), 3, 3))
+    for face in range(len(triangles)):
+        invert_face(face, triangles, inverse)
     y, x = np.mgrid[:height, :width] + 0.5
     picture, nearest = np.zeros((height, width, colours.shape[2])), np.full((height, width), np.inf)
     for m, far, colour in zip(inverse, z, colours, strict=True):

@@ -2,8 +2,8 @@
 import numpy as np
 
 
-def face_inverse(screen):
-    columns = np.concatenate([screen, np.ones_like(screen[..., :1])], -1)
+def face_inverse(triangles):
+    columns = np.concatenate([triangles, np.ones_like(triangles[..., :1])], -1)
     return np.linalg.solve(np.swapaxes(columns, -1, -2), np.eye(3))
 
 

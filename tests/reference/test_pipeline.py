@@ -225,6 +225,15 @@ def test_the_outline_belongs_to_these_faces_in_this_order(name):
         pipeline.render(pipeline.make_mesh(shape.positions, faces), surface, view)
 
 
+def test_the_outline_is_asked_for_each_picture():
+    """A mesh that was found sound once is believed, although its faces have changed in place."""
+    shape, surface, view = scene("torus")
+    pipeline.render(shape, surface, view)
+    shape.faces[:] = shape.faces[:, [1, 2, 0]]
+    with pytest.raises(ValueError, match="of these faces in this order; make_mesh does that"):
+        pipeline.render(shape, surface, view)
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_every_mesh_that_is_made_is_rendered(seed):
     """Faces upon each other, edges of many faces and vertices named twice count as a mistake."""
