@@ -14,7 +14,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments.scenes import demo, fit_bunny, fit_cube, reconstruct
+from course.given.whose import Labs
+from course.scenes import fit_bunny, fit_cube, reconstruct
 
 COURSE = Path(__file__).resolve().parent.parent
 OURS = tuple(f"{COURSE / package}/" for package in ("reference", "course"))
@@ -23,7 +24,7 @@ SHOWN = 12  # functions of a step
 
 def main():
     facts = measure.begin()
-    labs = demo.Labs("reference")
+    labs = Labs("reference")
     fits = {"cube, 16 x 16": (1000, lambda steps: fit_cube.fit(labs, 16, 0, steps)),
             "bunny, 4 views of 128 x 128": (100, lambda steps: fit_bunny.fit(labs, 0.02, steps)),
             "ring, 4 views of 64 x 64": (60, lambda steps: ring(labs, steps))}

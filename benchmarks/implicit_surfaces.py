@@ -11,13 +11,14 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments.scenes import demo, representations
+from course.given.whose import Labs
+from course.scenes import representations
 from reference import implicit_surfaces, marching_tetrahedra
 
 CELLS = 16, 32, 64, 96
 SAMPLES = 16, 64, 256
 TORUS = ("torus", 0.6, 0.25)
-LABS = demo.Labs("reference")
+LABS = Labs("reference")
 
 
 def main():

@@ -11,12 +11,13 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments.scenes import demo, fit_outlines
 from course.given import mesh
+from course.given.whose import Labs
+from course.scenes import fit_outlines
 from reference import neural_renderer, pipeline, sweep_gradient, texture_cubes
 
 SIZE, TEXELS = 256, 4
-LABS = demo.Labs("reference")
+LABS = Labs("reference")
 
 
 def main():

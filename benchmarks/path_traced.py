@@ -3,10 +3,10 @@
     pip install mitsuba        in an environment of its own, with this course's requirements.txt
     python3 benchmarks/path_traced.py [duck] [bunny] [rings]
 
-Three objects, each in one of the formats that captures.py reads: a duck in the sun, the bunny in
-many colours, with a grey sun and sky, and two rings in warm light. The tracer is Mitsuba 3
-(Jakob et al.), which knows cast shadows and light from surface to surface. Beside each capture lie
-8 views that no search sees, with their true albedo.
+Three objects, with their cameras in transforms.json: a duck in the sun, the bunny in many colours,
+with a grey sun and sky, and two rings in warm light. The tracer is Mitsuba 3 (Jakob et al.), which
+knows cast shadows and light from surface to surface. Beside each capture lie 8 views that no search
+sees, with their true albedo.
 """
 import json
 import shutil
@@ -16,16 +16,16 @@ from typing import NamedTuple
 
 import mitsuba
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 mitsuba.set_variant("scalar_rgb")
 
-from course.experiments.scenes import demo, reconstruct, viewing  # noqa: E402
 from course.given import image, mesh, places  # noqa: E402
+from course.given.whose import Labs  # noqa: E402
+from course.scenes import reconstruct, viewing  # noqa: E402
 
-LABS = demo.Labs("reference")
+LABS = Labs("reference")
 SIZE, SAMPLES, BOUNCES = 128, 128, 6
 FOV, AWAY = 40, 3.0  # degrees; the cameras of viewing.cameras_around
 
@@ -140,38 +140,14 @@ def world_from_camera(eye):
     return np.linalg.inv(LABS.transforms.look_at(eye, np.zeros(3), viewing.UP))
 
 
-# --- the three formats --------------------------------------------------------------------------
+# --- the files ----------------------------------------------------------------------------------
 
 
-def write_own(folder, names, poses):
-    views = [{"picture": f"images/{name}", "world_from_camera": pose.round(9).tolist()}
-             for name, pose in zip(names, poses, strict=True)]
-    scene = {"fov_y": FOV, "centre": [0, 0, 0], "radius": 1.0, "views": views}
-    write_json(folder / "cameras.json", scene)
-
-
-def write_nerf(folder, names, poses):
+def write_cameras(folder, names, poses):
     frames = [{"file_path": f"images/{Path(name).stem}", "transform_matrix": pose.round(9).tolist()}
               for name, pose in zip(names, poses, strict=True)]
-    write_json(folder / "transforms.json", {"camera_angle_x": np.radians(FOV), "frames": frames})
-
-
-def write_colmap(folder, names, poses):
-    focal, middle = SIZE / 2 / np.tan(np.radians(FOV) / 2), SIZE / 2
-    (folder / "sparse").mkdir()
-    (folder / "sparse" / "cameras.txt").write_text(
-        f"1 SIMPLE_PINHOLE {SIZE} {SIZE} {focal:.9f} {middle} {middle}\n")
-    lines = []
-    for k, (name, pose) in enumerate(zip(names, poses, strict=True), 1):
-        inverse = np.diag([1, -1, -1, 1]) @ np.linalg.inv(pose)  # y down, z forward
-        turn = Rotation.from_matrix(inverse[:3, :3]).as_quat(scalar_first=True)
-        numbers = *turn, *inverse[:3, 3]
-        lines += [f"{k} {' '.join(f'{number:.9f}' for number in numbers)} 1 {name}", ""]
-    (folder / "sparse" / "images.txt").write_text("\n".join(lines) + "\n")
-
-
-def write_json(path, content):
-    places.write_whole(path, (json.dumps(content, indent=1) + "\n").encode())
+    scene = {"camera_angle_x": np.radians(FOV), "frames": frames}
+    places.write_whole(folder / "transforms.json", (json.dumps(scene, indent=1) + "\n").encode())
 
 
 def write_truth(folder, shape, lamps):
@@ -183,14 +159,14 @@ def write_truth(folder, shape, lamps):
 
 
 CAPTURES = {
-    "duck": (duck, write_own, Lamps([-0.5, -0.75, -0.45], [2.4, 2.2, 1.95], [0.36, 0.4, 0.48])),
-    "bunny": (bunny, write_nerf, Lamps([0.4, -0.8, -0.5], [1.5, 1.5, 1.5], [0.5, 0.5, 0.5])),
-    "rings": (rings, write_colmap, Lamps([-0.6, -0.5, 0.6], [2.2, 2.1, 1.9], [0.5, 0.48, 0.45]))}
+    "duck": (duck, Lamps([-0.5, -0.75, -0.45], [2.4, 2.2, 1.95], [0.36, 0.4, 0.48])),
+    "bunny": (bunny, Lamps([0.4, -0.8, -0.5], [1.5, 1.5, 1.5], [0.5, 0.5, 0.5])),
+    "rings": (rings, Lamps([-0.6, -0.5, 0.6], [2.2, 2.1, 1.9], [0.5, 0.48, 0.45]))}
 
 
 def main():
     for name in sys.argv[1:] or CAPTURES:
-        painted, write_cameras, lamps = CAPTURES[name]
+        painted, lamps = CAPTURES[name]
         folder = places.DATA / "captures" / name
         shutil.rmtree(folder, ignore_errors=True)
         (folder / "images").mkdir(parents=True)

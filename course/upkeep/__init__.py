@@ -4,7 +4,7 @@
     extras     opens extras in labs/, and closes them
     errata     the page of what the lectures correct in their sources
     pictures   the pictures of a lecture: packed, described, compared
-    questions  the pictures of course/bridge/README.md
+    questions  the pictures of apps/bridge/README.md
     origins    what a lecture was made from: must it run again?
     notebooks  runs the lectures, and writes them back
     comparing  does a lecture's run give what its file has?

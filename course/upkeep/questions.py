@@ -1,4 +1,4 @@
-"""The pictures of course/bridge/README.md, one for each question: -m course.upkeep.questions.
+"""The pictures of apps/bridge/README.md, one for each question: -m course.upkeep.questions.
 
 Positions are x and y in pixels, and a depth from -1 to 1. Gradients are per pixel.
 """
@@ -150,5 +150,5 @@ if __name__ == "__main__":
     for question in no_gradient, inside, attributes, piercing, corners, numbers:
         drawn = io.BytesIO()
         question().figure.savefig(drawn, dpi=200)
-        (places.ROOT / "course/bridge" / f"{question.__name__}.png").write_bytes(
+        (places.ROOT / "apps/bridge" / f"{question.__name__}.png").write_bytes(
             pictures.packed(drawn.getvalue())[0])

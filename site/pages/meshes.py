@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import trimesh
 
-from course.experiments.scenes import drawing, levels, portrait, viewing
-from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT, read_whole
+from course.given.whose import Labs
+from course.scenes import drawing, levels, portrait, viewing
 
 from . import picture, put
 

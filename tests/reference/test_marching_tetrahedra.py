@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 import scipy.sparse
 
-from course.experiments.scenes import representations
 from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
+from course.scenes import representations
 from reference import implicit_surfaces, marching_tetrahedra, regularization, subdivision
 
 

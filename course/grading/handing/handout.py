@@ -12,8 +12,8 @@ from ... import exercises, lab_text
 from ...given import places
 from . import archives
 
-WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
-         "course/bridge/*.*", "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "apps/**/*.*",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
          "notebooks/errata.md", "notebooks/00*.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
@@ -140,7 +140,8 @@ def labs_of(asked, released, extra, spine):
 
 def is_for_teachers(name):
     """A copy without these files is one for students. Of course/grading, they get what packs."""
-    return name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
+    return (name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
+            or re.match(r"apps/\w+/(tests|.*__pycache__)/", name) is not None)
 
 
 def readme(asked, released, spine):
@@ -185,12 +186,12 @@ def needed(topics, *more) -> list[str]:
 
 
 def uses(path):
-    """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
-    rooms = [places.ROOT / "reference", *(places.ROOT / "course" / "experiments").glob("*/")]
+    """Yield the files in reference/ and course/scenes/ that a module or a notebook uses."""
+    rooms = places.ROOT / "reference", places.ROOT / "course" / "scenes"
     for node in ast.walk(ast.parse(code_of(path))):
         found = []
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
-            found = [exercises.reference(node.attr)]  # labs.pipeline in an experiment
+            found = [exercises.reference(node.attr)]  # labs.pipeline in a scene
         if isinstance(node, ast.ImportFrom):
             folder = path.parents[node.level - 1] if node.level else places.ROOT
             module = folder.joinpath(*(node.module or "").split("."))

@@ -4,8 +4,8 @@ from hands import drag
 from pages import waves
 from reading import numbers, opened, settled, verdict
 
-from course.experiments.scenes.demo import Labs
 from course.given import mesh
+from course.given.whose import Labs
 from reference import regularization
 
 
