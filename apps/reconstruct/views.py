@@ -9,6 +9,7 @@ from course.scenes import drawing, photographs
 SAMPLES = 2     # squared: how many in a pixel of a rendering
 DIFFERENCE = 4  # how often a difference is enlarged
 SHOWN = 8       # views on the sheet, at most
+WIDTH = 192     # pixels of a view on the sheet, at least
 
 
 class View(NamedTuple):
@@ -49,7 +50,9 @@ def write_sheet(views, path):
     none. -> a line for each, from above.
     """
     worst = sorted(views, key=lambda view: psnr([view]))[:SHOWN]
-    pictures, renderings = (np.vstack([view[k][..., :3] for view in worst[::-1]]) for k in (1, 2))
+    times = -(-WIDTH // worst[0].picture.shape[1])
+    pictures, renderings = (drawing.enlarged(np.vstack([view[k][..., :3] for view in worst[::-1]]),
+                                             times) for k in (1, 2))
     drawing.save_labelled(path, {
         "picture": pictures, "rendering": renderings,
         f"difference x {DIFFERENCE}": 1 - np.clip(

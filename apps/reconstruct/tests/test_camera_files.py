@@ -153,7 +153,6 @@ MATRIX[2, 3] = 5.0
           (MATRIX * [2, 2, 2, 1], "must be a rotation and a shift"),
           (MATRIX * [-1, 1, 1, 1], "is mirrored"))),
     ({"frames": ring.frames([MATRIX] * 4, "0.png")}, "0.png and 0.png have the same camera in tra"),
-    ({"frames": ring.frames([MATRIX] * 4, "a\0.png")}, "no file can have such a name"),
     ({"frames": ring.frames([MATRIX] * 4, "9.png")}, "has 0: there is no "),
     ({"camera_angle_x": None}, "needs a camera_angle_x in radians, or a fl_x in pixels"),
     *(({key: 1}, f"{key} in transforms.json is 1: such a lens is not read, so undistort")
@@ -179,7 +178,7 @@ def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder):
     assert "0.png in images.bin has camera 1, which is not in cameras.bin" in ring.told(folder)
     ring.colmap(folder)
     content = path.read_bytes()
-    for wrong in content[:-20], content[:60] + b"\xff" + content[61:], b"", b"\xff" * 99:
+    for wrong in content[:-20], content[:72] + b"\xff" + content[73:], b"", b"\xff" * 99:
         path.write_bytes(wrong)
         assert "cameras.bin or images.bin is cut short, or is not as COLMAP w" in ring.told(folder)
 
