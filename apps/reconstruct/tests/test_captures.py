@@ -114,12 +114,3 @@ def test_the_longer_side_is_chosen(folder):
     """`longest` is the shorter one's, or nobody's."""
     photos = captures.read(ring.LABS, folder, longest=24)
     assert {picture.shape for picture in photos.pictures} == {(16, 24, 4)}
-
-
-def test_a_search_reads_its_capture_from_photos(folder):
-    """Photos that lab 16's `fit` cannot take: of other sizes, or cameras of another space."""
-    photos = captures.read(ring.LABS, folder)
-    lab = ring.LABS.multi_view_fit
-    capture = captures.capture_of(ring.LABS, photos, list(range(6)))
-    losses = [loss for _, loss in lab.fit(capture, [lab.Stage(8, 2, 1, 12, 1.0)])]
-    assert losses[-1] < 0.75 * losses[0]

@@ -1,8 +1,5 @@
 """The texture of the mesh that was found, and the file that holds it."""
 import json
-import os
-import shutil
-import subprocess
 
 import numpy as np
 import pytest
@@ -15,11 +12,6 @@ from course.given.whose import Labs
 from reference import multi_view_fit
 
 LABS = Labs("reference")
-
-VALIDATE = """
-const validator = require("gltf-validator"), bytes = require("fs").readFileSync(process.argv[1]);
-validator.validateBytes(new Uint8Array(bytes)).then(r => console.log(JSON.stringify(r.issues)));
-"""
 
 
 def painted_ball():
@@ -140,15 +132,3 @@ def test_texels_between_charts_have_the_colour_of_the_nearest(charts):
     assert texture.min() >= ball.albedo.min() and texture.max() <= ball.albedo.max()
     even = textures.bake(LABS, unwrapped, np.full(ball.albedo.shape, 0.3), 128)
     np.testing.assert_allclose(even, 0.3, atol=1e-12)
-
-
-def test_khronos_finds_no_mistake_in_the_glb(saved):
-    """A strict viewer refuses what a lenient one opens."""
-    node = shutil.which("node")
-    folder = os.path.abspath(os.environ.get("NODE_PATH", "node_modules"))
-    if not node or not os.path.isdir(os.path.join(folder, "gltf-validator")):
-        pytest.skip("needs node, and NODE_PATH with the npm package gltf-validator")
-    told = subprocess.run([node, "-e", VALIDATE, str(saved)], check=True, capture_output=True,
-                          env={**os.environ, "NODE_PATH": folder}, text=True).stdout
-    messages = json.loads(told)["messages"]
-    assert [message["message"] for message in messages if message["severity"] < 3] == []
