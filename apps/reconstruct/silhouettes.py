@@ -107,13 +107,12 @@ def some(names):
 
 
 def mask_of(folder, shot):
-    """The path of a Shot's mask, or None where there are no masks: masks/a.png, masks/a.jpg.png."""
-    masks, name = folder / "masks", Path(shot.name)
+    """The path of a Shot's mask, or None where there are no masks: masks/a.jpg.png, masks/a.png."""
+    masks, name = folder / "masks", Path(shot.name).name
     if not masks.is_dir():
         return None
-    tried = [masks / f"{stem}.png" for whole in (name, Path(name.name))
-             for stem in (whole, whole.with_suffix(""))]
-    return next((path for path in tried if path.exists()), tried[-1])
+    long, short = masks / f"{name}.png", masks / f"{Path(name).stem}.png"
+    return long if long.exists() else short
 
 
 def opened(source):

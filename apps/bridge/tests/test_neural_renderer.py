@@ -10,7 +10,6 @@ from loose_faces import some_corners
 torch = pytest.importorskip("torch", reason="PyTorch is not installed: requirements.txt")
 
 from apps.bridge import neural_renderer as nr  # noqa: E402
-from apps.reconstruct import lenses  # noqa: E402
 from course.given import image, mesh  # noqa: E402
 from reference import neural_renderer, pipeline, sweep_gradient, transforms  # noqa: E402
 from reference import texture_cubes as cubes  # noqa: E402
@@ -102,7 +101,7 @@ def test_no_picture_sees_beyond_far(near, far, depths):
     assert torch.equal(alpha, (depth < far).float())
 
 
-def test_a_projection_bends_as_the_courses_lenses_do(rng):
+def test_a_projection_bends_as_opencvs_lenses_do(rng):
     """Coefficients in another order, rows counted from below, t of another picture."""
     points, t = rng.uniform(-1, 1, (2, 5, 3)), rng.uniform(3, 4, (2, 3))
     K = np.array([[500.0, 3, 320], [0, 510, 240], [0, 0, 1]])
@@ -111,8 +110,11 @@ def test_a_projection_bends_as_the_courses_lenses_do(rng):
     got = nr.projection(torch.tensor(points), K, R, t, coefficients, 640)
     for n in range(2):
         x, y, z = R[n] @ points[n].T + t[n][:, None]
-        ray = lenses.bent(np.array([x / z, y / z]), (k1, k2, p1, p2, k3, 0))
-        u, v, _ = K @ [*ray, np.ones(5)]
+        x, y = x / z, y / z
+        r2 = x**2 + y**2
+        bent = 1 + k1 * r2 + k2 * r2**2 + k3 * r2**3
+        u, v, _ = K @ [bent * x + 2 * p1 * x * y + p2 * (r2 + 2 * x**2),
+                       bent * y + 2 * p2 * x * y + p1 * (r2 + 2 * y**2), np.ones(5)]
         np.testing.assert_allclose(got[n], np.stack([u / 320 - 1, 1 - v / 320, z], -1))
 
 

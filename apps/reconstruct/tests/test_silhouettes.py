@@ -85,19 +85,6 @@ def test_masks_lie_beside_pictures_of_any_background(folder, name):
     np.testing.assert_allclose(photos.pictures[0][0, 0], [1, 1, 1, 0])
 
 
-def test_masks_of_pictures_in_folders_may_lie_in_folders(tmp_path):
-    """Two pictures of one name in two folders get one mask, or COLMAP's own names are not known."""
-    shots = [camera_files.Shot(name, None, 2, 2, 2.0, 2.0, 1.0, 1.0, np.eye(4))
-             for name in ("left/a.jpg", "right/a.jpg", "images/b.jpg")]
-    assert silhouettes.mask_of(tmp_path, shots[0]) is None
-    for name in "left/a.jpg.png", "right/a.png", "b.png":
-        (tmp_path / "masks" / name).parent.mkdir(exist_ok=True, parents=True)
-        (tmp_path / "masks" / name).touch()
-    found = [silhouettes.mask_of(tmp_path, shot) for shot in shots]
-    assert found == [tmp_path / "masks" / name for name in ("left/a.jpg.png", "right/a.png",
-                                                            "b.png")]
-
-
 def test_alpha_goes_before_a_mask_and_an_alpha_of_1_says_nothing(folder):
     """A mask of something else cuts what alpha has cut, or an opaque RGBA is all object."""
     expected = coverage(captures.read(ring.LABS, folder))
