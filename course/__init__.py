@@ -1,8 +1,7 @@
 """The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
 
     given         below reference: meshes, pictures, plots, gradient check
-    experiments   above reference: scenes, fits, and the tool for a folder of pictures
-    bridge        other people's interfaces and programs on the reference, or on your labs
+    scenes        above reference: scenes and fits
     exercises     what exercises there are
     imports       what labs import, and what is handed in with them
     lab_text      their answers, taken out of a module and put back

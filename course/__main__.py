@@ -3,8 +3,8 @@
 Where everything is there already (conda, an active environment), this goes straight on to cli.py.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
-The command run needs requirements-torch.txt as well, and the web site site/requirements.txt, for
---lite with one more file.
+The command run needs apps/bridge/requirements.txt as well, and the web site
+site/requirements.txt, for --lite with one more file.
 
 A copy of each of these files in .venv tells how far its set-up came:
     none        of requirements.txt: somebody else made this .venv: it is used, never changed
@@ -28,7 +28,7 @@ REQUIREMENTS = ROOT / "requirements.txt"
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 COPY = VENV / "requirements.txt"
-TORCH = ROOT / "requirements-torch.txt"
+TORCH = ROOT / "apps" / "bridge" / "requirements.txt"
 SITE, LITE = ROOT / "site" / "requirements.txt", ROOT / "site" / "requirements-lite.txt"
 INSIDE = VENV.exists() and VENV.samefile(sys.prefix)
 

@@ -3,6 +3,7 @@
 to look and to read
   demo [NAME ...]       render the course's scenes into out/, also of your own mesh or photo
   notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
+  reconstruct FOLDER    find the mesh of what your own pictures show
   run SCRIPT.py [ARGS]  run a program that uses nvdiffrast or neural_renderer, unchanged
 
 to do the labs
@@ -77,7 +78,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def can_be_mended(error):
-    """Can the user mend it? Yes: a file that fails, or what course/ or labs/ raise themselves.
+    """Can the user mend it? Yes: a file that fails, or what our own code or labs/ raise themselves.
 
     What Python or a library raises in between is a defect of the code that called it.
     """
@@ -86,7 +87,7 @@ def can_be_mended(error):
         cause = cause.tb_next
     code = cause.tb_frame.f_code
     ours = any(Path(code.co_filename).resolve().is_relative_to(ROOT / folder)
-               for folder in ("course", "labs"))
+               for folder in ("course", "apps", "labs"))
     raised = code.co_code[cause.tb_lasti] == dis.opmap["RAISE_VARARGS"]
     return isinstance(error, OSError) or (ours and raised)
 

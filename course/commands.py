@@ -39,6 +39,9 @@ GRADED = option("--labs", metavar="1-4", help="grade these labs; without, all of
 SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
 TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
+WORKS = option("--impl", choices=("reference", "labs"),
+               help="whose code does the work: the reference's, or yours in labs/; without, the "
+                    "reference's if it is all there")
 OPENED = option("target", metavar="TARGET",
                 help="an exercise (2.14), a lab (2), labs (1-3) or a topic (scanline)")
 
@@ -49,27 +52,16 @@ OPENED = option("target", metavar="TARGET",
 @command(
     option("names", nargs="*", metavar="NAME",
            help="a scene; after bunny, rounded, simplified or relaxation your own mesh file, "
-                "after aliasing your own picture, after reconstruct a folder of pictures; without "
-                "a name, all quick scenes"),
+                "after aliasing your own picture; without a name, all quick scenes"),
     option("--list", action="store_true", help="say which scenes there are"),
-    option("--impl", choices=("reference", "labs"),
-           help="whose code renders: the reference's, or yours in labs/; without, the reference's "
-                "if it is all there"),
-    option("--steps", type=whole_number(3), metavar="N",
-           help="reconstruct FOLDER: so many steps in all; without, 300"),
-    option("--size", type=whole_number(32, 512), metavar="N",
-           help="reconstruct FOLDER: pixels of a picture's longest side, 32 to 512; without, 128"),
-    option("--resume", action="store_true",
-           help="reconstruct FOLDER: go on with the search that Ctrl-C stopped"))
+    WORKS)
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
-    from course.experiments.scenes import demo
+    from course.scenes import demo
     if not asked.list:
-        wishes = {name: getattr(asked, name) for name in ("steps", "size", "resume")}
-        return demo.run(asked.names, implementation=asked.impl,
-                        **{name: wish for name, wish in wishes.items() if wish})
-    for name, title in demo.scenes().items():
-        print(f"{name:12} {title}")
+        return demo.run(asked.names, asked.impl)
+    for name in demo.SCENES:
+        print(f"{name:15} {demo.title(name)}")
     return 0
 
 
@@ -84,15 +76,24 @@ def notebooks(asked):
 
 
 @command(
-    option("--impl", choices=("reference", "labs"),
-           help="whose code does the work: the reference's, or yours in labs/; without, the "
-                "reference's if it is all there"),
+    WORKS,
+    option("--size", type=whole_number(32, 512), default=128, metavar="N",
+           help="pixels of a picture's longest side, 32 to 512; without, 128"),
+    option("folder", metavar="FOLDER", help="the pictures, and where their cameras were"))
+def reconstruct(asked):
+    """Find the mesh and the paint of what a folder's pictures show."""
+    from apps.reconstruct import command
+    return command.run(asked.folder, asked.size, asked.impl)
+
+
+@command(
+    WORKS,
     option("script", metavar="SCRIPT.py", help="the program"),
     option("args", nargs=argparse.REMAINDER, metavar="ARGS", help="and its own arguments"))
 def run(asked):
     """Run a program that uses nvdiffrast or neural_renderer, unchanged, on the course's code."""
-    import course.bridge.program
-    return course.bridge.program.run(asked.script, asked.args, asked.impl)
+    import apps.bridge.program
+    return apps.bridge.program.run(asked.script, asked.args, asked.impl)
 
 
 # --- to do the labs -----------------------------------------------------------------------------

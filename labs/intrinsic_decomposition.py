@@ -272,19 +272,6 @@ def first_guess(observed):
     return Appearance(albedo, light, np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]), 0.0, 1.0)
 
 
-def gradient_in_shadow(observed, priors):
-    """-> gradient(x), as lab 9's `descend` takes it. Every REFRESH steps it casts a new shadow."""
-    received, step = observed.received, itertools.count()
-    lit = np.empty(len(observed.colours))
-    shadowed = observed._replace(received=received._replace(lit=lit))
-
-    def gradient(x):
-        if next(step) % REFRESH == 0:
-            lit[:] = received_light.lit_share(received.surface, x.sun[0], x.near)
-        return loss_and_gradients(x, shadowed, priors)
-    return gradient
-
-
 def falling(rates, steps):
     """A schedule for `descend`: an Appearance of learning rates for each step, down to 1/20."""
     return [Appearance(*(20**-(step / steps) * np.array(rates))) for step in range(steps)]
@@ -296,6 +283,25 @@ def search(x, gradient, schedule, observed):
     for found, _ in descend(x, gradient, schedule, ADAM, project):
         x = found
     return x
+
+
+def search_in_shadow(x, observed, priors, schedule):
+    """As `search`, in the shadow that the sun of x casts, anew every REFRESH steps."""
+    mean = square = Appearance(0.0, 0.0, 0.0, 0.0, 0.0)
+    for step, rate in enumerate(schedule):
+        if step % REFRESH == 0:
+            shadowed = in_shadow(observed, x)
+        _, grad = loss_and_gradients(x, shadowed, priors)
+        moved = map(ADAM, x, grad, mean, square, itertools.repeat(step + 1), rate)
+        x, mean, square = itertools.starmap(Appearance, zip(*moved, strict=True))
+        x = allowed(x, observed.share)
+    return x
+
+
+def in_shadow(observed, x):
+    """What is Observed, lit by the sun of an Appearance where this sun is seen."""
+    lit = received_light.lit_share(observed.received.surface, x.sun[0], x.near)
+    return observed._replace(received=observed.received._replace(lit=lit))
 
 
 def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
@@ -313,9 +319,9 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
                                                         priors=blunt), first * [NO_SUN], observed)
     x = add_sun(x) if with_sun else x
     schedule = falling(rates, steps - first)[:-last]
-    x = search(x, gradient_in_shadow(alike, blunt), schedule, observed)
+    x = search_in_shadow(x, alike, blunt, schedule)
     slow = Appearance(*np.array(rates) / 10)._replace(albedo=rates.albedo)
-    x = search(x, gradient_in_shadow(observed, priors), falling(slow, last), observed)
+    x = search_in_shadow(x, observed, priors, falling(slow, last))
     return rescaled(x, exposure)
 
 

@@ -327,24 +327,19 @@ def stochastic_gradient(targets, per_step, rng, weights):
     return gradient
 
 
-def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=None, after=(None, 0)):
+def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=None, begin=None):
     """Reconstruction, from coarse to fine: yields x, a Scene, after each step, and the loss before
     it, eq. (5) of the views drawn.
 
     capture is a Capture, stages are Stages. Each step looks at per_step of the views, drawn by the
-    seed. renderer: what takes the place of the pipeline, see Target. after: a Scene that was found,
-    in how many steps. The search goes on from there.
+    seed. renderer: what takes the place of the pipeline, see Target. begin: a Scene in the place of
+    `start`.
     """
-    rng = np.random.default_rng(seed)
-    x, done = after
+    rng, x = np.random.default_rng(seed), begin
     for stage in stages:
-        past, done = min(done, stage.steps), max(done - stage.steps, 0)
-        for _ in range(past):
-            rng.permutation(len(capture.pictures))  # as those steps drew
-        if not past:
-            x = start(stage.cells) if x is None else refine(x, stage.cells)
+        x = start(stage.cells) if x is None else refine(x, stage.cells)
         targets = targets_of(capture, stage.shrink, stage.samples, renderer)
         gradient = stochastic_gradient(targets, per_step, rng, weights)
-        steps = descend(x, gradient, learning_rates(stage)[past:], UPDATES, bounded)
+        steps = descend(x, gradient, learning_rates(stage), UPDATES, bounded)
         for x, loss in steps:
             yield x, loss

@@ -13,6 +13,7 @@ cell. All other errors are shown as always, those inside an exercise as well. A 
 the picture that it came with, pale.
 """
 import ast
+import contextlib
 import functools
 import traceback
 import types
@@ -22,6 +23,7 @@ from IPython import get_ipython
 
 from . import memory, pale, plot
 from .contract import UNFINISHED
+from .whose import Lacking, exercises_named
 
 SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp
 
@@ -40,6 +42,21 @@ def begin():
             print(f"Still to be written: {'; '.join(missing)}.\n"
                   "A cell that needs what is missing waits and says so.")
             pale.came_with()  # before Jupyter saves over them
+
+
+@contextlib.contextmanager
+def when_written():
+    """A block that needs what is not there or not written says so.
+
+    The cell shows the picture that it came with, pale.
+    """
+    try:
+        with exercises_named():
+            yield
+    except Lacking as error:
+        print(f"Nothing of yours to see yet: {error}")
+        if shell := get_ipython():
+            pale.show(shell.history_manager.input_hist_raw[-1], after="that")
 
 
 def unfinished(module):

@@ -1,6 +1,6 @@
 """Makes bunny.npz, the mesh and the paint that lab 16 found. Run this first:
 
-    python3 -m course demo reconstruct course/given/data/captures/bunny
+    python3 -m course reconstruct course/given/data/captures/bunny
 
 Lab 12 leaves 10,000 of its faces. A vertex takes the paint of the nearest one that was found.
 """
@@ -17,7 +17,7 @@ from course.given import image, mesh
 from course.given.places import ROOT
 from reference import collapse_heap
 
-FOUND = ROOT / "out" / "demo" / "reconstruct" / "bunny" / "bunny.glb"
+FOUND = ROOT / "out" / "reconstruct" / "bunny" / "bunny.glb"
 
 
 def main():

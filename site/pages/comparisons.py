@@ -2,10 +2,10 @@
 import html
 from unittest import mock
 
-from course.experiments.scenes import aliasing, msaa, shadow
-from course.experiments.scenes.demo import Labs
-from course.experiments.scenes.drawing import enlarged
 from course.given import image, places
+from course.given.whose import Labs
+from course.scenes import aliasing, msaa, shadow
+from course.scenes.drawing import enlarged
 
 from . import picture, put
 

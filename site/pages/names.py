@@ -8,8 +8,8 @@ from . import sources_course
 
 TEXTS = {  # a text of the repository: its page
     "course/grading/README.md": "instructors", "notebooks/errata.md": "errata",
-    "course/experiments/folder/README.md": "own_pictures",
-    "course/bridge/README.md": "real_projects"}
+    "apps/reconstruct/README.md": "own_pictures",
+    "apps/bridge/README.md": "real_projects"}
 
 
 def lab_page(topic):

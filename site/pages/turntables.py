@@ -1,8 +1,8 @@
 """The films of meshes that turn once, drawn with the course's own code."""
 import numpy as np
 
-from course.experiments.scenes import drawing, levels, portrait, viewing
-from course.experiments.scenes.demo import Labs
+from course.scenes import drawing, levels, portrait, viewing
+from course.given.whose import Labs
 from course.given import image, mesh
 from course.given.places import ROOT
 

@@ -2,9 +2,9 @@
 import numpy as np
 import scipy.linalg
 
-from course.experiments.scenes import drawing
-from course.experiments.scenes.demo import Labs
 from course.given import mesh, plot_3d
+from course.given.whose import Labs
+from course.scenes import drawing
 
 from . import put
 

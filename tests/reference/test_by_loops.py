@@ -2,8 +2,8 @@
 import numpy as np
 
 from course.checks import assert_close
-from course.experiments.scenes import by_loops, viewing
-from course.experiments.scenes.demo import Labs
+from course.given.whose import Labs
+from course.scenes import by_loops, viewing
 from reference import pipeline
 
 

@@ -3,8 +3,9 @@ import numpy as np
 import pytest
 from screen_scenes import camera
 
-from course.experiments.scenes import demo, fit_volume, representations, viewing
 from course.given.gradcheck import gradcheck
+from course.given.whose import Labs
+from course.scenes import fit_volume, representations, viewing
 from reference import implicit_surfaces, transforms
 
 BALL, BOX = ("sphere", 0.7), ("box", np.array([0.3, 0.5, 0.6]))
@@ -90,7 +91,7 @@ def test_colours_converge_as_the_samples_get_denser():
 
 def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
-    labs, size = demo.Labs("reference"), 12
+    labs, size = Labs("reference"), 12
     given = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 16, longitude=0.2), size)
     volumes, losses = zip(*fit_volume.fit(labs, given, 12, 100, batch=300), strict=True)
     new = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3, longitude=0.7), size)

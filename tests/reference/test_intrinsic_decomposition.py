@@ -3,9 +3,9 @@ import numpy as np
 import pytest
 from found_objects import EVEN, NO_SUN, photographed
 
-from course.experiments.scenes import reconstruct
 from course.given import mesh
 from course.given.gradcheck import gradcheck
+from course.scenes import reconstruct
 from reference import intrinsic_decomposition as lab
 from reference import multi_view_fit, reconstruction
 

@@ -3,9 +3,9 @@ import numpy as np
 import pytest
 from found_objects import LABS, photographed, require_follows
 
-from course.experiments.scenes import drawing, fit_triangle, reconstruct, viewing
 from course.given import image, mesh
 from course.given.gradcheck import gradcheck
+from course.scenes import drawing, fit_triangle, reconstruct, viewing
 from reference import marching_tetrahedra, multi_view_fit, reconstruction
 
 BEHIND = np.array([1.0, 0.9, 0.8])

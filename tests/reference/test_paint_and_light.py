@@ -1,27 +1,23 @@
-"""The captures that a path tracer made, in three formats, and how a result is judged there."""
+"""The captures that a path tracer made, and how a result is judged there."""
 import numpy as np
 import pytest
 
-from course.experiments.folder import captures, hulls
-from course.experiments.scenes import demo, drawing, paint_and_light, reconstruct, viewing
 from course.given import image
+from course.given.whose import Labs
+from course.scenes import drawing, hull, paint_and_light, reconstruct
 
-LABS = demo.Labs("reference")
+LABS = Labs("reference")
 
 
 @pytest.mark.parametrize("name", paint_and_light.NAMES)
 def test_a_capture_shows_its_object_from_all_sides(name):
-    """Another format, other cameras, or pictures that are upside down."""
-    photos = captures.read(LABS, paint_and_light.folder(name), 64)
-    assert len(photos.pictures) == 24
-    eyes = viewing.cameras_around(LABS, 24) @ photos.world_from_grid
-    np.testing.assert_allclose(photos.cameras[:, [0, 1, 3]], eyes[:, [0, 1, 3]], atol=1e-5)
-    begin = hulls.start(LABS, captures.capture_of(LABS, photos), 24)
-    found = LABS.multi_view_fit.surface(begin)
+    """Other cameras, or pictures that are upside down."""
+    capture = paint_and_light.capture(LABS, name)
+    assert len(capture.pictures) == 24
+    found = LABS.multi_view_fit.surface(hull.start(LABS, capture, 24))
     truth = paint_and_light.unseen(name)
     for camera, coverage in zip(reconstruct.new_cameras(LABS), truth.coverage, strict=True):
-        seen = drawing.seen_mask(LABS, found.vertices, found.faces, camera @ photos.world_from_grid,
-                                 len(coverage))
+        seen = drawing.seen_mask(LABS, found.vertices, found.faces, camera, len(coverage))
         assert image.intersection_over_union(seen > 0.5, coverage > 0.5) > 0.7  # it is shrunk
 
 
@@ -41,10 +37,11 @@ def test_albedo_is_judged_up_to_one_factor():
 def test_paint_is_nearer_to_the_truth_once_it_is_told_from_light(name):
     """The light takes the paint's colour, or a shadow is taken for paint. The search is short."""
     stage = LABS.multi_view_fit.Stage(24, 2, 1, 60, 1.0)
-    photos, x, surface = paint_and_light.found(LABS, name, [stage])
-    before, _ = paint_and_light.as_found(LABS, x, surface, name, photos)
+    capture = paint_and_light.capture(LABS, name)
+    x, surface = paint_and_light.found(LABS, capture, [stage])
+    before, _ = paint_and_light.as_found(LABS, x, surface, name)
     look = LABS.intrinsic_decomposition.decompose(
-        surface, paint_and_light.targets_of(LABS, photos), steps=200)
-    after, _ = paint_and_light.judged(LABS, surface, look, name, photos)
+        surface, LABS.multi_view_fit.targets_of(capture, 1, 1), steps=200)
+    after, _ = paint_and_light.judged(LABS, surface, look, name)
     assert after["albedo"] > before["albedo"] + 2.5
     assert after["views"] > before["views"] + 2.5

@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from course.experiments.scenes import relaxation
 from course.given import distances, mesh
+from course.scenes import relaxation
 from reference import regularization, remeshing
 
 

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from screen_scenes import camera
 
-from course.experiments.scenes import representations
+from course.scenes import representations
 from reference import pipeline, shape_rendering, transforms
 
 LIGHTING = shape_rendering.Lighting(np.array([-0.5, 0.8, 0.6]), np.array([0.8, 0.6, 0.4]))

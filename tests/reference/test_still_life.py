@@ -1,9 +1,10 @@
 """The still life: a sample sees of it what is seen of a pixel of its own."""
 import numpy as np
 
-from course.experiments.scenes import demo, still_life
+from course.given.whose import Labs
+from course.scenes import still_life
 
-LABS = demo.Labs("reference")
+LABS = Labs("reference")
 
 
 def test_many_samples_are_a_large_picture_made_small():

@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 from found_objects import EVEN, photographed, require_follows
 
-from course.experiments.scenes import reconstruct
 from course.given import mesh
+from course.scenes import reconstruct
 from reference import multi_view_fit, reconstruction, regularization, vertex_fit
 
 

@@ -14,10 +14,11 @@ from course.grading.request import Request
 
 @pytest.fixture
 def stand_in(monkeypatch):
-    """stand_in("experiments.scenes.demo", run=function) puts it in that module's place."""
+    """stand_in("scenes.demo", run=function) puts it in that module's place in the course."""
     def put(module, **functions):
-        monkeypatch.setitem(sys.modules, f"course.{module}", SimpleNamespace(**functions))
-        monkeypatch.setattr(f"course.{module}", sys.modules[f"course.{module}"], raising=False)
+        module = module if module.startswith("apps.") else f"course.{module}"
+        monkeypatch.setitem(sys.modules, module, SimpleNamespace(**functions))
+        monkeypatch.setattr(module, sys.modules[module], raising=False)
     return put
 
 
@@ -25,9 +26,11 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
-    ("demo", "experiments.scenes.demo.run", ([],), {"implementation": None}),
-    ("demo bunny teapot --impl labs", "experiments.scenes.demo.run", (["bunny", "teapot"],),
-     {"implementation": "labs"}),
+    ("demo", "scenes.demo.run", ([], None), {}),
+    ("demo bunny shadow --impl labs", "scenes.demo.run", (["bunny", "shadow"], "labs"), {}),
+    ("reconstruct in", "apps.reconstruct.command.run", ("in", 128, None), {}),
+    ("reconstruct in --size 64 --impl labs", "apps.reconstruct.command.run",
+     ("in", 64, "labs"), {}),
     ("check", "board.check", (None, "labs"), BOARD),
     ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
      ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
@@ -71,10 +74,10 @@ def test_a_command_calls_its_function_and_passes_its_status_on(
 
 def test_the_list_of_scenes_is_printed(stand_in, capsys):
     """--list renders everything, or shows nothing."""
-    stand_in("experiments.scenes.demo", scenes=lambda: {"cow": "A cow.", "moon": "The moon."})
+    stand_in("scenes.demo", SCENES=("cow", "moon"), title="The {}.".format)
     assert cli.main(["demo", "--list"]) == 0
     assert [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()] == [
-        ["cow", "A cow."], ["moon", "The moon."]]
+        ["cow", "The cow."], ["moon", "The moon."]]
 
 
 def test_without_a_command_the_page_is_shown_with_all_commands_and_no_others(capsys):
@@ -111,7 +114,7 @@ def demo_runs(stand_in, monkeypatch, tmp_path):
     def put(folder, text):
         path, = put_files(tmp_path, {f"{folder}/part.py": text})
         monkeypatch.setattr(cli, "ROOT", tmp_path.resolve())
-        stand_in("experiments.scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
+        stand_in("scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
     return put
 
 
@@ -140,7 +143,7 @@ def test_a_defect_shows_its_traceback(demo_runs, folder, text):
 
 
 @pytest.mark.parametrize(("line", "module", "told"), [
-    ("demo", "experiments.scenes.demo", ""),
+    ("demo", "scenes.demo", ""),
     ("grade in --out out", "grading.grade", "course: stopped; what is graded is kept: the same "
      "command with --resume goes on\n")], ids=["quiet", "how to go on"])
 def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
@@ -155,7 +158,7 @@ def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
     """A Windows console of old crashes on the first tick."""
-    stand_in("experiments.scenes.demo", scenes=lambda: {"cow": "50 \u2713 faces"})
+    stand_in("scenes.demo", SCENES=("cow",), title=lambda _: "50 \u2713 faces")
     console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
     monkeypatch.setattr(sys, "stdout", console)
     assert cli.main(["demo", "--list"]) == 0

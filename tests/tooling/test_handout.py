@@ -94,10 +94,10 @@ def test_labs_what_they_need_their_checks_and_lectures_are_there(
     assert files(tmp_path, "tests/labs/test_*.py") == {
         f"tests/labs/test_{topic}.py" for topic in asked if topic in exercises.asking_topics()}
     assert {int(path.stem[:2]) for path in tmp_path.glob("notebooks/*.ipynb")} == set(lectures)
-    fit = "course/experiments/folder/fit_report"
     there = files(tmp_path, "**/*")
-    assert {"LICENSE", "README.md", f"{fit}.py", f"{fit}.html", f"{fit}.js"} <= there
-    assert not there & {"reference", "tests/project"}
+    assert {"LICENSE", "README.md", "apps/bridge/requirements.txt", "apps/bridge/corners.png",
+            "apps/reconstruct/README.md", "apps/reconstruct/command.py"} <= there
+    assert not there & {"reference", "tests/project", "apps/bridge/tests"}
 
 
 def test_lectures_import_the_labs(handed_out):
@@ -150,7 +150,7 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
     assert exercises.read(lab) == exercises.read(exercises.reference("transforms"))
 
 
-COMMANDS = ["demo", "notebooks", "run", "check", "open", "close", "pack"]
+COMMANDS = ["demo", "notebooks", "reconstruct", "run", "check", "open", "close", "pack"]
 
 
 @pytest.mark.parametrize("labs", [*map(str, range(1, len(exercises.LABS) + 1)), "1-4", None])

@@ -10,13 +10,13 @@ from course import exercises
 from course.upkeep import weight
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = "reference", "course"
+FOLDERS = "reference", "course", "apps"
 LINES = 350       # of a module
 TITLE_LINES = 20  # of the docstring of a module that is taught
 CODE_LINES = 20   # of a function, see code_lines
 PARAMETERS = 7    # of a function; a backward pass may have one more, the gradient that it is given
 KERNEL_LINES, KERNEL_PARAMETERS = 35, 13  # a loop stays whole; each NamedTuple costs a call 3 us
-OF_OTHERS = "course/bridge/"  # its functions have other people's parameters
+OF_OTHERS = "apps/bridge/"  # its functions have other people's parameters
 EXCEPTIONS = {  # not yet short; the list may only become shorter
     "course/given/plot_3d.surface has more than 7 parameters",  # lectures choose among all of them
     "course/given/sketch.arrow has more than 7 parameters"}
@@ -58,7 +58,8 @@ def modules():
 
     Signs, the help and the forms of files are longer: only what is taught has a short docstring.
     """
-    for path in sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")):
+    for path in sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")
+                       if "tests" not in path.parts):
         name = path.relative_to(ROOT).with_suffix("").as_posix()
         yield (name, path.read_text(encoding="utf-8"),
                TITLE_LINES if name.startswith("reference") else LINES)

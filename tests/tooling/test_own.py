@@ -11,9 +11,9 @@ from PIL import Image
 
 from course import exercises
 from course.checks import assert_close
-from course.experiments.scenes import demo, levels, own
 from course.given import image, mesh, mesh_files, places
-from course.given.whose import Lacking
+from course.given.whose import Labs, Lacking
+from course.scenes import demo, levels, own
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 2 0\n"
 
@@ -88,7 +88,7 @@ def test_a_mesh_of_any_size_and_place_fills_the_picture(file):
 
 def test_many_faces_are_rounded_as_few_are(monkeypatch):
     """The matrix has the other weights of Loop, or another order of faces."""
-    labs, ball = demo.Labs("reference"), mesh.icosphere(20)
+    labs, ball = Labs("reference"), mesh.icosphere(20)
     by_points = levels.loop_step(labs, *ball)
     monkeypatch.setattr(levels, "MOST_BY_POINTS", 0)
     assert_close(levels.loop_step(labs, *ball), by_points, atol=1e-12)
@@ -140,7 +140,7 @@ def test_each_scene_draws_ones_own_beside_the_course_s_pictures(tmp_path, monkey
     (["shadow", "cow.obj"], "cow.obj does not follow a scene that takes a file: write it after"),
     (["cow.obj"], "cow.obj does not follow a scene"),
     (["bunny", "cow.obj", "calf.obj"], "calf.obj does not follow a scene"),
-    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, teapot")])
+    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, aliasing")])
 def test_a_file_stands_after_a_scene_that_takes_one(names, sentence):
     """It is silently ignored, and the bunny comes out; or a misspelt scene is taken for a file."""
     with pytest.raises(ValueError, match=sentence):
@@ -158,7 +158,8 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
         assert name in pipe.getvalue().decode()
 
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(pipe))
-    monkeypatch.setattr(demo, "SCENES", {"scene": scene})
+    monkeypatch.setattr(demo, "SCENES", ("scene",))
+    monkeypatch.setattr(demo, "scene", lambda _: scene)
     assert demo.run(["scene"], "reference") == 0 and name in pipe.getvalue().decode()
 
 

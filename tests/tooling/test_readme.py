@@ -59,7 +59,7 @@ def test_its_links_lead_somewhere():
 
 def test_what_is_behind_a_call_is_named_as_it_is():
     """An exercise got another number: a student looks for it in vain."""
-    named = re.findall(r"(\d+\.\d+) `(\w+)`", (places.ROOT / "course/bridge/README.md").read_text())
+    named = re.findall(r"(\d+\.\d+) `(\w+)`", (places.ROOT / "apps/bridge/README.md").read_text())
     assert len(named) > 20 and set(named) <= {
         (exercise.number, exercise.name) for topic in exercises.topics()
         for exercise in exercises.topic_exercises(topic)}

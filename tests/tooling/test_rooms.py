@@ -1,13 +1,14 @@
 """The rooms of the course: imports go one way, from a room to those below it, never in a circle.
 
-A room is a folder of course/, also one in another folder, or a module that stands in none. The
-docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
+A room is a folder of course/ or apps/, also one in another folder, or a module that stands in none.
+The docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
 """
 import ast
 import functools
 import graphlib
 import importlib.util
 import re
+import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -19,11 +20,11 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
            # and whoever may import a may import every room in it
     "given": (),
     "reference": ("given",),
-    "experiments.folder": ("given",),  # reference or labs come in by name, when they run
-    "experiments.scenes": ("given", "experiments.folder"),
-    "bridge": ("given",),  # likewise
-    "bridge.nvdiffrast": ("bridge",),
-    "bridge.neural_renderer": ("bridge", "given"),
+    "scenes": ("given",),  # reference or labs come in by name, when they run
+    "apps.bridge": ("given",),  # likewise
+    "apps.bridge.nvdiffrast": ("apps.bridge",),
+    "apps.bridge.neural_renderer": ("apps.bridge", "given"),
+    "apps.reconstruct": ("given", "scenes"),
     "exercises": ("given",),
     "imports": ("given", "exercises"),
     "lab_text": ("exercises",),
@@ -36,7 +37,7 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "grading.gradebook": ("given", "grading.apart", "grading.handing"),
     "grading.pages": ("exercises", "imports", "checks", "grading.handing", "grading.gradebook"),
     "grading": ("given", "exercises"),
-    "commands": ("given", "experiments", "bridge", "board", "upkeep", "grading"),
+    "commands": ("given", "scenes", "apps", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),
     "__main__": ("cli",)}
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
@@ -50,8 +51,9 @@ class Module(NamedTuple):
 
 
 def modules_there():
-    """{full name: Module} of reference and of the course."""
-    paths = [path for folder in ("reference", "course") for path in ROOT.glob(f"{folder}/**/*.py")
+    """{full name: Module} of reference, of the course and of the apps."""
+    paths = [path for folder in ("reference", "course", "apps")
+             for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
     return {".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"):
             Module(path.read_text(encoding="utf-8"), path.name == "__init__.py") for path in paths}
@@ -146,14 +148,14 @@ def test_imports_go_one_way():
 @pytest.mark.parametrize(("module", "line", "imported"), [
     ("course.given.inputs", "from reference import msaa", "reference.msaa"),
     ("course.given.inputs", "from .. import exercises", "course.exercises"),
-    ("reference.msaa", "from course.experiments.scenes import demo",
-     "course.experiments.scenes.demo"),
+    ("reference.msaa", "from course.scenes import demo",
+     "course.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
     ("reference.msaa", "from . import multi_view_fit", ""),
-    ("course.experiments.scenes.demo", "def late():\n    from reference import msaa",
+    ("course.scenes.demo", "def late():\n    from reference import msaa",
      "reference.msaa"),
-    ("course.experiments.folder.hulls", "from ..scenes import drawing",
-     "course.experiments.scenes.drawing"),
+    ("course.scenes.demo", "from apps.reconstruct import hulls", "apps.reconstruct.hulls"),
+    ("apps.reconstruct.hulls", "from ..bridge import tensors", "apps.bridge.tensors"),
     ("course.checks.loader", "import reference.msaa", "reference.msaa"),
     ("course.checks.showing", "from .report import claim", ""),
     ("course.board", "from .grading.pages.report import page", "course.grading.pages.report"),
@@ -168,6 +170,36 @@ def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     modules[module] = Module(f"{modules[module].text}\n{line}\n", False)
     sentence = f"{module} imports {imported}" if imported else "a circle: "
     assert any(found.startswith(sentence) for found in wrong(modules))
+
+
+LOADED = """
+import ast, importlib, sys
+from course import exercises
+from course.given import places
+from course.scenes import demo
+for path in places.ROOT.glob("notebooks/*.ipynb"):
+    for cell in exercises.cells(path, "code"):
+        lines = [line for line in cell.splitlines() if line[:1] != "%"]
+        for node in ast.walk(ast.parse("\\n".join(lines))):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                exec(ast.unparse(node))
+for name in demo.SCENES:
+    demo.scene(name)
+for name in exercises.topics():
+    importlib.import_module(f"labs.{name}")
+"""
+
+
+@pytest.mark.parametrize(("line", "loaded"), [
+    ("", []), ("importlib.import_module('apps.bridge')", ["apps", "apps.bridge"])])
+def test_no_lecture_lab_or_scene_loads_an_app(line, loaded):
+    """By its name, or through a module that it imports: a lecture waits for all of a tool, and
+    must be run again when the tool changes.
+    """
+    told = "print([name for name in sys.modules if name.partition('.')[0] == 'apps'])"
+    done = subprocess.run([sys.executable, "-c", LOADED + f"{line}\n{told}"], cwd=ROOT,
+                          capture_output=True, text=True)
+    assert done.stdout == f"{loaded}\n", done.stderr
 
 
 def test_every_room_has_its_sign():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from course import board, exercises
-from course.experiments.scenes import by_loops, drawing, fit_bunny, viewing
-from course.experiments.scenes.demo import Labs
+from course.given.whose import Labs
 from course.grading.handing import handout
+from course.scenes import by_loops, drawing, fit_bunny, viewing
 from course.upkeep import hours
 
 

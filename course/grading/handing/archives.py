@@ -21,8 +21,8 @@ EACH_ARCHIVE = 1 << 19   # an archive counts as so many more, for what is unpack
 EACH_FILE = 200          # and a file of a folder as it would in an archive's list of files
 DEEPEST = 40             # folders in folders
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
-NOT_THEIRS = {"reference", "tests", "notebooks", "experiments", "handed_out",  # ours, and programs'
-              "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}
+NOT_THEIRS = {"reference", "tests", "notebooks", "scenes", "apps", "handed_out",  # ours
+              "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}  # others'
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*+"  # transforms (1), transforms-2
 LAB = re.compile(r"(?:(.*?)(?<![\W_])[\W_]++)??((?a:"
                  + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))

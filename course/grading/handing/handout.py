@@ -13,8 +13,8 @@ from ... import exercises, lab_text
 from ...given import places
 from . import archives
 
-WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
-         "course/bridge/*.*", "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "apps/*.py", "apps/*/*.*",
+         "apps/bridge/n*/*.py", "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
          "notebooks/errata.md", "notebooks/00*.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
@@ -187,12 +187,12 @@ def needed(topics, *more) -> list[str]:
 
 @functools.cache
 def uses(path):
-    """The files in reference/ and course/experiments/ that a module or a notebook uses."""
-    rooms = [places.ROOT / "reference", *(places.ROOT / "course" / "experiments").glob("*/")]
+    """The files in reference/ and course/scenes/ that a module or a notebook uses."""
+    rooms = places.ROOT / "reference", places.ROOT / "course" / "scenes"
     found = set()
     for node in ast.walk(ast.parse(code_of(path))):
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
-            found.add(exercises.reference(node.attr))  # labs.pipeline in an experiment
+            found.add(exercises.reference(node.attr))  # labs.pipeline in a scene
         if isinstance(node, ast.ImportFrom):
             folder = path.parents[node.level - 1] if node.level else places.ROOT
             module = folder.joinpath(*(node.module or "").split("."))

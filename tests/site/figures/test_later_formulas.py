@@ -4,7 +4,7 @@ import itertools
 import numpy as np
 from pages import waves
 
-from course.experiments.scenes.demo import Labs
+from course.given.whose import Labs
 from course.given import mesh, ray_casting
 from reference import (
     implicit_surfaces,

@@ -1,0 +1,162 @@
+"""Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS.
+
+In this process `import nvdiffrast.torch` and `import neural_renderer` find the interfaces of this
+room, and "cuda" means the processor.
+"""
+import contextlib
+import functools
+import importlib
+import os
+import platform
+import re
+import runpy
+import sys
+import time
+import traceback
+from pathlib import Path
+
+os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
+import torch
+
+from course.given import whose
+
+from . import tensors
+
+ANSWERED = "nvdiffrast.torch", "neural_renderer"
+TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
+ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
+           "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
+           "get_device_name": platform.machine(),
+           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
+WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
+
+
+def run(script, arguments, implementation=None):
+    """Run a program as `python SCRIPT ARGUMENTS` would, by the reference or by labs/.
+
+    ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
+    Lacking: it needs an exercise that is not written.
+    """
+    path = Path(script).resolve()
+    if not path.is_file():
+        raise ValueError(f"there is no program {script}; give the path of a .py file")
+    tensors.labs = whose.Labs(implementation)
+    answer()
+    print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
+          "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
+    pretend()
+    sys.argv[:] = str(script), *arguments
+    sys.path[:] = str(path.parent), *sys.path[1:], sys.path[0]  # the course itself comes last
+    with whose.exercises_named(), needs_named(script):
+        try:
+            runpy.run_path(str(path), run_name="__main__")
+        except OSError as error:  # of its own: for the command line it would be one of the course
+            if WANTS_MORE.search(str(error)):
+                raise
+            traceback.print_exc()
+            return 1
+    return 0
+
+
+def answer():
+    """Let each module of the interfaces be found under the name that programs import."""
+    here = f"{__package__}."
+    for name in ANSWERED:
+        importlib.import_module(here + name)
+    for name, module in list(sys.modules.items()):
+        if name.startswith(tuple(here + answered.partition(".")[0] for answered in ANSWERED)):
+            sys.modules[name.removeprefix(here)] = module
+
+
+@contextlib.contextmanager
+def needs_named(script):
+    """What a program lacks, a package or a graphics card, becomes a ValueError."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if not error.name:
+            raise
+        raise ValueError(f"{script} needs the package {error.name}, which is not installed beside "
+                         f"{sys.executable}; if it works without CUDA, install it there") from error
+    except (AssertionError, OSError, RuntimeError) as error:
+        if not WANTS_MORE.search(str(error)):
+            raise
+        raise ValueError(f"{script} wants more of CUDA than that it means the processor: "
+                         f"{str(error).splitlines()[0]}") from error
+
+
+class Event:
+    """A moment, as torch.cuda.Event keeps it."""
+
+    def __init__(self, *_, **__):
+        self.time = None
+
+    def record(self, *_):
+        self.time = time.perf_counter()
+
+    def elapsed_time(self, end):
+        """Milliseconds."""
+        return 1000 * (end.time - self.time)
+
+    def synchronize(self):
+        """Nothing runs beside the program."""
+
+
+def pretend():
+    """PyTorch makes and moves tensors to the processor, whatever device it is told, and torch.cuda
+    answers as if that were its one device.
+    """
+    for name in dir(torch):
+        made = getattr(torch, name)
+        if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
+            setattr(torch, name, on_processor(made))
+    for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
+        setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
+    torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
+    torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
+    torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
+    torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
+    torch.Tensor.is_cuda = property(lambda _: True)
+    torch.Tensor.get_device = lambda _: 0
+    load = torch.load
+    torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.cuda.device = contextlib.nullcontext  # PyTorch asks whether something is one
+    for name, answer in ANSWERS.items():
+        setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
+    for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
+        setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
+    torch.cuda.Event = Event
+
+
+def on_processor(function):
+    """A function of PyTorch that makes tensors, on the processor."""
+    @functools.wraps(function)
+    def made(*args, **kwargs):
+        if is_cuda(kwargs.get("device")):
+            kwargs["device"] = "cpu"
+        return function(*args, **kwargs)
+
+    return made
+
+
+def moved(tensor, to, *args, **kwargs):
+    """Tensor.to, which takes a device first or by name.
+
+    What is moved shares no memory with what stays, as between processor and graphics card. A leaf
+    stays the one that an optimizer knows.
+    """
+    device = kwargs.get("device", args[0] if args else None)
+    if is_cuda(device):
+        args = args if "device" in kwargs else ("cpu", *args[1:])
+        kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
+    elif not isinstance(device, str | torch.device):
+        return to(tensor, *args, **kwargs)
+    made = to(tensor, *args, **kwargs)
+    is_known = is_cuda(device) and tensor.requires_grad
+    return made.clone() if made is tensor and not is_known else made
+
+
+def is_cuda(device):
+    """Does this argument of PyTorch name a graphics card? A number does, too."""
+    return type(device) is int or (isinstance(device, str | torch.device)
+                                   and str(device).startswith("cuda"))

@@ -1,0 +1,45 @@
+"""Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
+import numpy as np
+import torch
+
+from course.given import whose
+
+labs = whose.Labs()  # `program` says otherwise: python3 -m course run --impl labs
+FLOATS = torch.float32, torch.float64  # CUDA's kernels take the first alone
+INTEGERS = torch.int32,
+DTYPES = {torch.float32: np.float32, torch.float64: np.float64}
+
+
+def require(holds, sentence):
+    """RuntimeError, as the CUDA extensions raise it, unless it holds."""
+    if not holds:
+        raise RuntimeError(sentence)
+
+
+def array(name, tensor, shape, types=FLOATS):
+    """A tensor's numbers as an array that shares its memory.
+
+    shape: as "n h w 4", letters for lengths that are free. RuntimeError for what does not fit.
+    """
+    require(isinstance(tensor, torch.Tensor), f"{name} must be a tensor, not {type(tensor)}")
+    require(tensor.device.type == "cpu", f"{name} is on {tensor.device}: this code works on the "
+            "processor, so give it tensors there, as .cpu() makes them")
+    require(tensor.dtype in types, f"{name} must be of {types[0]}, not {tensor.dtype}")
+    require(tensor.is_contiguous(), f"{name} must be contiguous: give {name}.contiguous()")
+    lengths = shape.split()
+    fits = len(lengths) == tensor.ndim and all(
+        length == int(wanted) if wanted.isdigit() else length > 0
+        for length, wanted in zip(tensor.shape, lengths, strict=True))
+    require(fits, f"{name} must have the shape ({', '.join(lengths)}), nothing of it empty; it has "
+            f"{tuple(tensor.shape)}")
+    return tensor.detach().numpy()
+
+
+def tensor(array, like, shape=None):
+    """An array as a tensor of the type, and unless a shape is given of the shape, of another one.
+
+    It is no view of anything, so a program may change it in place.
+    """
+    made = np.empty(like.shape if shape is None else shape, DTYPES[like.dtype])
+    made.reshape(array.shape)[...] = array
+    return torch.from_numpy(made)

@@ -1,0 +1,89 @@
+"""Programs as they are: python3 -m course run, in a process of its own."""
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("torch", reason="PyTorch is not installed: requirements.txt")
+ROOT = Path(__file__).parents[3]
+WHOLE = '''
+import sys, numpy as np, torch, nvdiffrast.torch as dr
+from neural_renderer.rasterize import Rasterize
+import beside
+device = torch.device("cuda:0")
+assert torch.cuda.is_available() and torch.zeros(2, device=device).cuda(0).is_cuda
+numbers = np.ones(3, np.float32)
+there = torch.from_numpy(numbers).to(device, torch.float32)
+there.cpu().numpy()[:] = 5
+numbers[:] = 7
+assert (there == 1).all()
+known = torch.nn.Parameter(torch.cuda.FloatTensor([1, 2]))
+assert known.cuda() is known and torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
+start, end = torch.cuda.Event(enable_timing=True), torch.cuda.Event(enable_timing=True)
+start.record(), end.record(), torch.cuda.synchronize()
+assert start.elapsed_time(end) >= 0
+torch.save(there, "there.pt")
+for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, None:
+    assert torch.equal(torch.load("there.pt", place), there)
+    assert torch.equal(torch.load("there.pt", map_location=place), there)
+with torch.cuda.device(there.get_device()):
+    assert not isinstance(device, torch.cuda.device)
+clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
+tri = torch.tensor([[0, 1, 2]], dtype=torch.int32, device="cuda")
+context = dr.RasterizeGLContext(device=device)
+rast, _ = dr.rasterize(context, clip, tri, (4, 6))
+print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
+sys.exit(3)
+'''
+
+
+def run(folder, program, *options):
+    """Run a program in a folder -> its exit status, and what it printed."""
+    (folder / "program.py").write_text(program)
+    (folder / "beside.py").write_text("NUMBER = 42")
+    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, "program.py",
+                           "--impl", "its own"], cwd=folder, capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_a_cuda_program_runs_on_the_processor(tmp_path):
+    """It needs a character changed, or what it moved to the card changes with what stayed."""
+    status, said = run(tmp_path, WHOLE)
+    assert (status, "program.py', '--impl', 'its own'] 42 12" in said) == (3, True), said
+    assert "cuda means the processor here, and reference/ does the work" in said
+
+
+@pytest.mark.parametrize(("program", "said"), [
+    ("import tinycudann", "program.py needs the package tinycudann, which is not installed"),
+    ("import torch; torch.cuda.Stream()", "program.py wants more of CUDA than that it means the")])
+def test_what_a_program_lacks_is_one_sentence(program, said, tmp_path):
+    """It ends in a traceback."""
+    status, printed = run(tmp_path, program)
+    assert status == 2 and said in printed and "Traceback" not in printed
+
+
+@pytest.mark.parametrize("error", ["KeyError", "OSError", "ValueError", "RuntimeError"])
+def test_an_error_of_the_program_is_its_own(error, tmp_path):
+    """A defect is hidden behind a sentence of the course."""
+    status, printed = run(tmp_path, f"def f(): raise {error}(12)\nf()")
+    assert status == 1 and f"{error}: 12" in printed and "in f" in printed
+
+
+def test_an_exercise_that_is_not_written_is_named(tmp_path):
+    """--impl labs runs the reference."""
+    status, printed = run(tmp_path, WHOLE, "--impl", "labs")
+    assert status == 2 and "is not written yet; python3 -m course check 2." in printed
+
+
+@pytest.mark.parametrize(("text", "said"), [
+    ("x = 1\ndef (:\n", "labs/arrays.py, line 2: this is not Python"),
+    ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'")])
+def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
+        text, said, tmp_path):
+    """The student looks for the mistake in the file that was asked for, or in the program."""
+    shutil.copytree(ROOT / "labs", tmp_path / "labs")  # they come before the course's own
+    (tmp_path / "labs" / "arrays.py").write_text(text)
+    status, printed = run(tmp_path, WHOLE, "--impl", "labs")
+    assert status == 2 and said in printed and "Traceback" not in printed

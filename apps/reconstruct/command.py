@@ -1,0 +1,109 @@
+"""What a folder of pictures shows: the search, the mesh, and how good it is.
+
+    python3 -m course reconstruct FOLDER --size 128
+"""
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from rich.progress import track
+
+from course.given import places
+from course.given.whose import Labs, exercises_named
+from course.scenes import hull, reconstruct
+
+from . import captures, exports, views
+
+KEPT_OUT = 8  # every eighth picture is not for the search: it tells how good the mesh is
+UNSURE = ("other light, with albedo that differs by up to {:.0f} %, fits the pictures as well, and "
+          "its tint is a guess: the greyest light that does")
+TURNS = 0.1  # a light that stays gives 0.04 at most, where things shine; a lamp that turns 0.4
+TURNING = ("points are brighter on one side of the pictures, so the light turns with the camera, "
+           "as before a turntable; the search takes it for fixed: expect wrong albedo, and take "
+           "pictures with a camera that goes around instead, or in even light")
+
+
+class Painted(NamedTuple):
+    """The last step: the Surface, its albedo told apart from the light, the colours (V, 3) of both
+    together, and sentences on the light.
+    """
+
+    surface: object
+    colours: np.ndarray
+    remarks: list
+
+
+def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
+    """Find the mesh of what a folder's pictures show, and say how good it is and where. -> 0"""
+    labs = Labs(implementation)
+    with exercises_named():
+        photos = captures.read(labs, folder, size)
+        print(*photos.assumed, sep="\n", flush=True)
+        new = list(range(KEPT_OUT - 1, len(photos.pictures), KEPT_OUT))
+        capture = captures.capture_of(
+            labs, photos, [k for k in range(len(photos.pictures)) if k not in new])
+        surface = moved(labs, *searched(labs, capture), capture)
+        print("telling paint from light, and cutting the surface into charts", flush=True)
+        found = told_apart(labs, surface, capture)
+        path = out(folder)
+        exports.save(labs, found.surface, path, photos.world_from_grid)
+        print(*found.remarks, *summary(labs, found, photos, new, path), sep="\n")
+    return 0
+
+
+def summary(labs, found, photos, new, path):
+    """The numbers, in lines. The pictures to them are written beside the mesh."""
+    pieces, genus = labs.reconstruction.genus(found.surface.faces)
+    kind = "new views" if new else "views of the search, for there are no eight pictures"
+    seen = views.judged(labs, found.surface, found.colours, photos,
+                        new or list(range(len(photos.pictures))))
+    sheet = path.with_name(f"{path.stem}_views.png")
+    worst = views.write_sheet(seen, sheet)
+    return [f"{len(found.surface.faces):,} faces, pieces {pieces}, genus {genus}; "
+            f"{views.psnr(seen):.1f} dB on the object in {len(seen)} {kind}; the worst:", *worst,
+            f"{places.shown_path(path)}, and {sheet.name} with these views"]
+
+
+def out(folder):
+    """Where the mesh of a folder goes: a path that ends in .glb. Its folder is made."""
+    name = re.sub(r"[^\w.-]+", "_", Path(folder).resolve().name) or "pictures"
+    return places.out("reconstruct", name, f"{name}.glb")
+
+
+def searched(labs, capture):
+    """Lab 16's search in a Capture, from its visual hull -> a Scene, and how many steps it took."""
+    stages = reconstruct.fine_stages(labs, longest(capture))
+    steps = sum(stage.steps for stage in stages)
+    begin = hull.start(labs, capture, stages[0].cells)
+    search = labs.multi_view_fit.fit(capture, stages, begin=begin)
+    for step, (x, loss) in enumerate(track(search, "the shape", steps, transient=True), 1):
+        finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
+        captures.require(finite and (x.distance < 0).any(), f"the search came to nothing at step "
+                         f"{step}: are the cameras right?")
+    return x, steps
+
+
+def longest(capture):
+    """Pixels of the pictures' longer side."""
+    return max(capture.pictures[0].shape[:2])
+
+
+def moved(labs, x, steps, capture):
+    """The Surface that a search has found, its vertices moved in a third as many steps."""
+    fit = labs.vertex_fit.fit_vertices(labs.multi_view_fit.surface(x), capture, -(-steps // 3),
+                                       reconstruct.samples(longest(capture), 512))
+    for surface, _ in track(fit, "its vertices", -(-steps // 3), transient=True):  # noqa: B007
+        pass
+    return surface
+
+
+def told_apart(labs, surface, capture):
+    """Painted: the shape stays."""
+    lab = labs.intrinsic_decomposition
+    targets = labs.multi_view_fit.targets_of(capture, 1, 1)
+    look = lab.decompose(surface, targets)
+    remarks = [UNSURE.format(100 * labs.ambiguity.doubt(surface, targets, look))]
+    if labs.ambiguity.turning(surface, targets, lab.seen_colours(surface, targets)[0]) > TURNS:
+        remarks.append(TURNING)
+    return Painted(surface._replace(albedo=look.albedo), lab.shaded_colours(surface, look), remarks)

@@ -1,0 +1,29 @@
+"""The scenes of `python3 -m course demo`, in the order of the labs, and what they share.
+
+    viewing            cameras and poses
+    drawing            smooth shading, fits, and pictures on disk
+    own                one's own mesh or photo in a scene's place
+    photographs        painted objects, and so what was found, in any light
+    hull               where a search for a shape begins
+    portrait           the bunny, as pictures
+    aliasing           a zone plate made smaller in three ways
+    msaa               a silhouette with more and more samples in a pixel
+    reflections        what a mirror shows: directions, footprints, surroundings
+    by_loops           a tetrahedron finds its picture, pixel by pixel
+    fit_triangle       a triangle finds its template by its edges alone
+    fit_cube           a cube's shape and colours, from tiny pictures
+    fit_pose           how a known cube is turned
+    fit_texture        a globe's texture, with and without mipmaps
+    fit_bunny          a ball becomes the bunny
+    fit_outlines       one silhouette, three gradients
+    levels             a coarse ring made smooth, the bunny made coarse
+    relaxation         thin triangles made rounder
+    large_steps        a ball becomes the bunny by large steps
+    shadow             the bunny's shadow on the ground, hard and soft
+    still_life         teapot, bunny, ball and ring by a window
+    representations    one shape as a formula, in a grid and as triangles
+    fit_volume         density and colour in a grid
+    reconstruct        shape, albedo and light of objects never seen
+    paint_and_light    albedo and light told apart, on pictures of a path tracer
+    demo               which scenes there are, and what runs them
+"""

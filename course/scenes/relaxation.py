@@ -1,0 +1,41 @@
+"""The teapot's thin triangles made rounder, its surface kept (lab 13)."""
+import numpy as np
+
+from ..given import mesh
+from .drawing import SIZE, save, wireframe
+from .portrait import TEAPOT_EYE
+from .viewing import clip_positions
+
+
+def relaxation(labs, out="relaxation", shape=None):
+    """The thin triangles of the teapot, or FILE, made rounder, the surface kept (lab 13)."""
+    vertices, faces = shape or split_teapot()
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
+    moved, flipped = labs.remeshing.relax(vertices, faces, 0.004 * size)
+    yield "flips and slides, four times", None
+    for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
+        angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
+        yield (f"{name}: mean least angle {angle:.1f} degrees",
+               save(out, name, drawn(labs, shape, triangles)))
+
+
+def split_teapot():
+    """The teapot without seams, each face split in four -> vertices, faces."""
+    return split_in_four(*mesh.merge(*mesh.teapot()))
+
+
+def split_in_four(vertices, faces):
+    """Each face as four of its own shape: the surface stays, and so do its angles."""
+    edges, face_edges = mesh.edges(faces)
+    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
+    faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
+    return np.concatenate([vertices, vertices[edges].mean(1)]), faces
+
+
+def drawn(labs, vertices, faces, size=SIZE):
+    """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
+    clip = clip_positions(labs, mesh.normalize(vertices), TEAPOT_EYE)
+    seen = labs.pipeline.visible(clip, faces, size, size)
+    derivatives = labs.rasterization.barycentrics_derivatives(seen.face_index, clip, faces)
+    return wireframe(seen.face_index >= 0, seen.barycentric, derivatives)
