@@ -1,10 +1,10 @@
 """The films of meshes that turn once, drawn with the course's own code."""
 import numpy as np
 
-from course.scenes import drawing, levels, portrait, viewing
-from course.given.whose import Labs
 from course.given import image, mesh
 from course.given.places import ROOT
+from course.given.whose import Labs
+from course.scenes import drawing, levels, portrait, viewing
 
 from . import picture
 

@@ -4,8 +4,8 @@ import itertools
 import numpy as np
 from pages import waves
 
-from course.given.whose import Labs
 from course.given import mesh, ray_casting
+from course.given.whose import Labs
 from reference import (
     implicit_surfaces,
     kernels,
