@@ -11,7 +11,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import arrays, rasterization, scanline
+from course.given import arrays
+from reference import rasterization, scanline
 
 
 def main():

@@ -2,6 +2,9 @@
 
 A room is a folder of course/, also one in another folder, or a module that stands in none. The
 docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
+
+The modules of course/complete and course/fast are modules of reference, and are called so here.
+Those of course/complete stand among the others, and those of course/fast above them.
 """
 import ast
 import functools
@@ -14,15 +17,18 @@ from typing import NamedTuple
 
 import pytest
 
+from course.given import places
+
 ROOT = Path(__file__).parents[2]
 ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folder b of a,
            # and whoever may import a may import every room in it
     "given": (),
     "reference": ("given",),
+    "fast": ("given", "reference"),
     "experiments.folder": ("given",),  # reference or labs come in by name, when they run
     "experiments.scenes": ("given", "experiments.folder"),
     "bridge": ("given",),  # likewise
-    "bridge.nvdiffrast": ("bridge",),
+    "bridge.nvdiffrast": ("bridge", "given"),
     "bridge.neural_renderer": ("bridge", "given"),
     "exercises": ("given",),
     "imports": ("given", "exercises"),
@@ -39,22 +45,36 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "commands": ("given", "experiments", "bridge", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),
     "__main__": ("cli",)}
+OF_BOTH = {Path(folder).name for folder in places.of_both()}
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
+BY_NAME = {  # `has_kernels`: what numba replaces names here what replaces it, and is known to that
+    ("reference.mipmapping", "reference.texel_kernels"),
+    ("reference.pipeline", "reference.compiled_pipeline")}
+
+
 class Module(NamedTuple):
-    """A module's text. The __init__.py of a folder stands for the folder."""
+    """A module's text. The __init__.py of a folder stands for the folder. of_both: the folder of
+    course/ that it stands in, as a module of reference and of labs, or "".
+    """
 
     text: str
     is_folder: bool
+    of_both: str = ""
 
 
 def modules_there():
     """{full name: Module} of reference and of the course."""
     paths = [path for folder in ("reference", "course") for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
-    return {".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"):
-            Module(path.read_text(encoding="utf-8"), path.name == "__init__.py") for path in paths}
+    found = {}
+    for path in paths:
+        parts, is_folder = path.relative_to(ROOT).with_suffix("").parts, path.stem == "__init__"
+        of_both = parts[1] if parts[1] in OF_BOTH and not is_folder else ""
+        name = f"reference.{path.stem}" if of_both else ".".join(parts).removesuffix(".__init__")
+        found[name] = Module(path.read_text(encoding="utf-8"), is_folder, of_both)
+    return found
 
 
 parsed = functools.cache(ast.parse)  # a text is looked at in many tests
@@ -76,6 +96,8 @@ def imports(name, modules):
 
 def room(name, modules):
     """course.checks.report -> checks, course.board -> board, reference.msaa -> reference."""
+    if modules[name].of_both == "fast":
+        return "fast"
     folder = name if modules[name].is_folder else name.rpartition(".")[0]
     return (name if folder == "course" else folder).removeprefix("course.")
 
@@ -95,7 +117,7 @@ def wrong(modules):
             if other in modules:
                 allowed = may_import(here, room(other, modules))
             else:
-                allowed = here != "reference" or other.split(".")[0] in OUTSIDE
+                allowed = here not in ("reference", "fast") or other.split(".")[0] in OUTSIDE
             if not allowed:
                 yield f"{name} imports {other}"
     try:
@@ -111,18 +133,20 @@ def wrong_signs(modules):
     for folder in folders - {"reference"}:
         sign = ast.get_docstring(parsed(modules[folder].text), clean=False) or ""
         named = re.findall(r"^    (\w+)  ", sign, re.MULTILINE)
-        there = {name_in(folder, name) for name in modules} - {None}
+        there = {name_in(folder, name, modules) for name in modules} - {None}
         for name in {*named} ^ there:
             yield f"the sign of {folder} {'lacks' if name in there else 'invents'} {name}"
         for number, name in enumerate(named):
-            used = {name_in(folder, other) for module in modules if name_in(folder, module) == name
-                    for other in needs[module]}
+            used = {name_in(folder, other, modules) for module in modules
+                    if name_in(folder, module, modules) == name for other in needs[module]}
             for other in used & {*named[number + 1:]}:
                 yield f"the sign of {folder} has {name} above {other}, which it imports"
 
 
-def name_in(folder, module):
+def name_in(folder, module, modules):
     """What stands in a folder for a module: checks, in course, for course.checks.report."""
+    if module in modules and modules[module].of_both:
+        module = f"course.{modules[module].of_both}.{module.partition('.')[2]}"
     below = module.removeprefix(f"{folder}.")
     return None if below == module else below.partition(".")[0]
 
@@ -150,6 +174,7 @@ def test_imports_go_one_way():
      "course.experiments.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
     ("reference.msaa", "from . import multi_view_fit", ""),
+    ("reference.msaa", "from . import face_kernels", "reference.face_kernels"),
     ("course.experiments.scenes.demo", "def late():\n    from reference import msaa",
      "reference.msaa"),
     ("course.experiments.folder.hulls", "from ..scenes import drawing",
@@ -168,6 +193,16 @@ def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     modules[module] = Module(f"{modules[module].text}\n{line}\n", False)
     sentence = f"{module} imports {imported}" if imported else "a circle: "
     assert any(found.startswith(sentence) for found in wrong(modules))
+
+
+def test_what_is_loaded_by_its_name_is_listed():
+    """A module's name is a string, and no test sees the circle that it closes."""
+    modules = {name: module for name, module in modules_there().items()
+               if name.startswith("reference.")}
+    assert not [name for name, module in modules.items() if "import_module" in module.text]
+    assert BY_NAME == {(name, f"reference.{kernels}") for name, module in modules.items()
+                       for kernels in re.findall(r'^@has_kernels\("(\w+)"\)', module.text, re.M)}
+    assert {room(kernels, modules) for _, kernels in BY_NAME} == {"fast"}
 
 
 def test_every_room_has_its_sign():

@@ -17,7 +17,7 @@ def first_steps(scene):
     return functools.wraps(scene)(lambda labs: itertools.islice(scene(labs), 2))
 
 
-for path in Path("labs").glob("*.py"):
+for path in Path("labs").glob("[!_]*.py"):
     importlib.import_module(f"labs.{path.stem}")
 for path in sorted(Path("notebooks").glob("*.ipynb")):
     cells = exercises.cells(path, "code")
