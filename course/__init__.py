@@ -1,6 +1,8 @@
 """The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
 
     given         below reference: meshes, pictures, plots, gradient check
+    complete      what labs and reference have from one file, as it asks nothing
+    fast          what is only faster than modules of reference: loops that numba compiles
     scenes        above reference: scenes and fits
     exercises     what exercises there are
     imports       what labs import, and what is handed in with them

@@ -29,7 +29,7 @@ from typing import NamedTuple
 from .given import places
 
 LABS = (  # the topics of each lab, one module each: its lecture's own first, each after its imports
-    ("transforms", "arrays"),
+    ("transforms",),
     ("rasterization", "scanline"),
     ("sampling",),
     ("msaa",),
@@ -46,13 +46,12 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, ea
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
     ("reconstruction", "multi_view_fit", "received_light", "intrinsic_decomposition",
      "vertex_fit", "ambiguity"),
-    ("kernels", "face_kernels", "pixel_kernels", "pair_kernels", "pyramid_kernels",
-     "texel_kernels", "footprint_kernels", "compiled_pipeline"),
+    ("kernels",),
 )
 TOPICS = tuple(itertools.chain(*LABS))
 
 GIVEN = (  # what labs import of course.given
-    "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
+    "arrays", "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
 WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do nothing
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
@@ -81,6 +80,11 @@ def topics() -> tuple[str, ...]:
     return tuple(topic for topic in TOPICS if questions(topic).exists())
 
 
+def lab_topics() -> tuple[str, ...]:
+    """The topics that have a file in labs/: all but those that stand once, in course/complete."""
+    return tuple(topic for topic in topics() if not places.complete(topic).exists())
+
+
 def asking_topics() -> tuple[str, ...]:
     """The topics that have exercises, in the course's order: all but those of given code."""
     return tuple(topic for topic in topics() if ANY_MARK.search(read(questions(topic))))
@@ -92,11 +96,11 @@ def lab_number(topic: str) -> int:
 
 
 def topics_of(labs: str | None) -> list[str]:
-    """'1-4', '2' or '1,3' -> topics. None: all. ValueError: there is no such lab."""
-    there = {lab_number(topic) for topic in topics()}
+    """'1-4', '2' or '1,3' -> `lab_topics`. None: all. ValueError: there is no such lab."""
+    there = {lab_number(topic) for topic in lab_topics()}
     asked = there if labs is None else {
         number for part in labs.split(",") for number in labs_in(part, there)}
-    return [topic for topic in topics() if lab_number(topic) in asked]
+    return [topic for topic in lab_topics() if lab_number(topic) in asked]
 
 
 def labs_in(part, there):
@@ -159,7 +163,9 @@ def cells(path: Path, kind: str = "markdown") -> list[str]:
 
 
 def reference(topic: str) -> Path:
-    return places.ROOT / "reference" / f"{topic}.py"
+    """A topic's module as it is in reference, where no answer is left out."""
+    there = places.complete(topic)
+    return there if there.exists() else places.ROOT / "reference" / f"{topic}.py"
 
 
 def handed_out(topic: str) -> Path:
@@ -172,7 +178,7 @@ def questions(topic: str) -> Path:
     for path in reference(topic), handed_out(topic):
         if path.exists():
             return path
-    return places.ROOT / "labs" / f"{topic}.py"  # given code
+    return places.ROOT / "labs" / f"{topic}.py"  # it came along
 
 
 def read(path: Path) -> str:

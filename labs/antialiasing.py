@@ -22,9 +22,9 @@ Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), se
 import numpy as np
 
 from course.given import mesh
+from course.given.arrays import EDGES, scatter, scatter_first
 
 from . import transforms
-from .arrays import EDGES, scatter, scatter_first
 from .rasterization import edge_function, screen_points
 
 WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
@@ -47,7 +47,6 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points), spine
     raise NotImplementedError("exercise 8.1: opposite_vertices")
 
 
-# Refuse meanwhile: pair_kernels.silhouette_of
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points), spine
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
@@ -139,7 +138,7 @@ def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 po
     return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
-# Refuse meanwhile: sweep_gradient.edge_crossing, pair_kernels.crossing
+# Refuse meanwhile: sweep_gradient.edge_crossing
 def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point), spine
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 

@@ -17,7 +17,7 @@ Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Kato et al
 """
 import numpy as np
 
-from .arrays import scatter
+from course.given.arrays import scatter
 
 
 def squared_error(picture, target):

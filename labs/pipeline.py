@@ -9,6 +9,9 @@ All from clip on is `draw`, and all back to grad_clip is `draw_backward`. The gr
 comes along two paths: through the colours inside of faces (lab 7, and with a texture lab 6 before
 it), and through the edges between pixels (lab 8). A face of one colour has only the second path.
 
+Where numba is installed, the functions below that are marked `has_kernels` never run: those of the
+same names in course/fast/compiled_pipeline.py take their place, and return the same to the bit.
+
 Source: Laine et al. 2020 (nvdiffrast).
 """
 from typing import NamedTuple
@@ -16,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from course.given import inputs
+from course.given.arrays import masked_scatter
 from course.given.compiled import has_kernels
 
 from . import (
@@ -28,7 +32,6 @@ from . import (
     scanline,
     transforms,
 )
-from .arrays import masked_scatter
 
 
 class Mesh(NamedTuple):
@@ -129,7 +132,6 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
 
 @has_kernels("compiled_pipeline")
-# Refuse meanwhile: compiled_pipeline.draw
 def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
          width, height, background):
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
@@ -149,7 +151,6 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
 
 
 @has_kernels("compiled_pipeline")
-# Refuse meanwhile: compiled_pipeline.draw_backward, compiled_pipeline.through_colours
 def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points), spine
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).

@@ -18,7 +18,8 @@ Sources: the OpenGL specification (order and axes of the faces); nvdiffrast (the
 """
 import numpy as np
 
-from .arrays import masked_scatter
+from course.given.arrays import masked_scatter
+
 from .mipmapping import (
     footprint_level,
     footprint_level_backward,
@@ -248,8 +249,7 @@ def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", ma
 
     faces (6, n, n, C), in the order +x, -x, +y, -y, +z, -z, directions (..., 3) -> colour (..., C).
     filter, bias and max_level are those of `texture` in mipmapping.py; jacobian (..., 3, 2) is
-    d(direction)/d(x, y). A direction of 0, as where no face is seen, or shorter than SHORTEST, has
-    colour 0 and no gradient.
+    d(direction)/d(x, y). A direction shorter than SHORTEST, such as 0, has colour 0, no gradient.
 
     All arrays are read as float64. ValueError for what does not fit.
     """

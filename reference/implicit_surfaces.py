@@ -20,9 +20,8 @@ Mildenhall et al. 2020 (5) and (6), Yariv et al. 2021 (7).
 """
 import numpy as np
 
+from course.given.arrays import largest
 from course.given.mesh import length, unit
-
-from .arrays import largest
 
 # --- signed distances: eq. (1) to (3) -----------------------------------------------------------
 

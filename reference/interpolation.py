@@ -22,7 +22,8 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from .arrays import write_rows
+from course.given.arrays import write_rows
+
 from .rasterization import normalize_derivative, seen_corners
 
 

@@ -12,8 +12,8 @@
 
 A thread is one call of the body. Nobody says which comes first. @kernel compiles these loops where
 numba is installed. (7) to (9) are neural_renderer's passes, with lab 10's M^-1. A face covers a
-sample where all c_k >= 0. The whole pipeline in this form is in face_kernels.py, pixel_kernels.py
-and pair_kernels.py, and compiled_pipeline.py starts their threads.
+sample where all c_k >= 0. The whole pipeline in this form is in course/fast: face_kernels.py,
+pixel_kernels.py and pair_kernels.py, and compiled_pipeline.py starts their threads.
 
 Sources: a reading of neural_renderer's rasterizer; Laine and Karras 2011 (5); Williams, Waterman
 and Patterson 2009 (4).

@@ -14,7 +14,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from .arrays import scatter
+from course.given.arrays import scatter
 
 
 def tetrahedral_grid(n):

@@ -10,7 +10,8 @@ The equations go on from those of texturing.py; (u, v) and J are as there.
 
 s_x is ds/dx. (J must be in texels: with u and v as they are, nearly all levels are negative.)
 Beyond the lecture, as nvdiffrast has it: a bias is added to the level, and then it is clamped to
-the pyramid. All levels together are one long T, so a look-up is still one row of M.
+the pyramid. All levels together are one long T, so a look-up is still one row of M. Where numba is
+installed, course/fast/texel_kernels.py runs in place of what is marked `has_kernels`.
 
 Sources: Williams 1983 (5), (7); lecture "Differentiable graphics 1" (6); nvdiffrast.
 """

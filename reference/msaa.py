@@ -21,8 +21,9 @@ Sources: notes on GAMES101 lecture 6, Lottes 2009 (FXAA), Karis 2014 (TAA).
 import numpy as np
 from scipy import ndimage
 
+from course.given.arrays import scatter
+
 from . import rasterization, scanline
-from .arrays import scatter
 
 STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples, none near another
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
@@ -322,8 +323,7 @@ def fxaa(picture, contrast=0.1):
 
     Only the finished picture is known. An edge is where brightness differs by more than contrast
     among 3 x 3 pixels. It runs at right angles to the slope of the brightness. Such a pixel becomes
-    the mean of itself and one step along the edge to each side. Lottes 2009 follows the edge to the
-    ends of its step instead, and blends across it.
+    the mean of itself and one step along the edge to each side. Lottes 2009 follows the edge on.
     """
     luma = picture @ LUMA
     edge = ndimage.maximum_filter(luma, 3) - ndimage.minimum_filter(luma, 3) > contrast

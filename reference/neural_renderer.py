@@ -20,8 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from course.given.arrays import EDGES, chunks, expand, scatter
+
 from . import interpolation, transforms
-from .arrays import EDGES, chunks, expand, scatter
 from .rasterization import edge_function, signed_area
 
 

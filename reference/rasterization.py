@@ -19,7 +19,7 @@ import itertools
 
 import numpy as np
 
-from .arrays import EDGES, in_chunks, write_rows
+from course.given.arrays import EDGES, in_chunks, write_rows
 
 CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
@@ -88,7 +88,6 @@ def is_inside(p, triangle):  # extra 2.4 (2 points)
     return (e >= 0).all(0) | (e <= 0).all(0)
 
 
-# Refuse meanwhile: face_kernels.half_plane
 def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
@@ -190,7 +189,7 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-# Refuse meanwhile: scanline.rasterize, scanline.fragments, compiled_pipeline.rasterize
+# Refuse meanwhile: scanline.rasterize, scanline.fragments
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spine
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 

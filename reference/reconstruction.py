@@ -22,9 +22,9 @@ import scipy.fft
 import scipy.sparse.csgraph
 
 from course.given import mesh
+from course.given.arrays import EDGES, scatter
 
 from . import inverse_rendering
-from .arrays import EDGES, scatter
 
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)

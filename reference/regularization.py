@@ -20,8 +20,7 @@ import scipy.sparse
 from scipy.sparse.linalg import spsolve
 
 from course.given import mesh
-
-from .arrays import scatter
+from course.given.arrays import scatter
 
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 

@@ -21,8 +21,8 @@ from typing import NamedTuple
 import numpy as np
 
 from course.given import inputs
+from course.given.arrays import EDGES, chunks, expand, in_chunks
 
-from .arrays import EDGES, chunks, expand, in_chunks
 from .rasterization import MARGIN, is_top_left, screen_points
 
 TINY = 1e-300  # stands for a slope of 0 in a division

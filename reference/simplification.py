@@ -22,8 +22,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from course.given import mesh
+from course.given.arrays import scatter
 
-from .arrays import scatter
 from .transforms import to_homogeneous
 
 LEAST_CURVATURE = 1e-6  # of the greatest eigenvalue of A: less is rounding, or flat

@@ -18,9 +18,9 @@ from typing import NamedTuple
 import numpy as np
 
 from course.given import inputs
+from course.given.arrays import EDGES, scatter
 
 from . import mipmapping, msaa, neural_renderer, pipeline, texturing
-from .arrays import EDGES, scatter
 
 
 class Lights(NamedTuple):

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from .arrays import in_chunks
+from course.given.arrays import in_chunks
 
 FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
 BOUNDARIES = "wrap", "clamp", "zero"

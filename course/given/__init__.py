@@ -1,6 +1,7 @@
 """What is given: it stands below reference, and nobody has to write it.
 
     places             where things lie, and files read and written whole
+    arrays             rows of numbers: gather, scatter, ranges, a part at a time
     inputs             what functions expect: one sentence for what does not fit
     contract           what goes into an exercise, and what may come out
     whose              the reference does the work, or a student's labs

@@ -15,6 +15,16 @@ def is_handout():
     return not (ROOT / "course" / "grading" / "handing" / "handout.py").exists()
 
 
+def complete(topic):
+    """Where a topic's module stands that has nothing to write: one file for labs and reference."""
+    return ROOT / "course" / "complete" / f"{topic}.py"
+
+
+def of_both():
+    """The folders whose modules belong to labs as well as to reference, as these import them."""
+    return [str(ROOT / "course" / room) for room in ("complete", "fast")]
+
+
 def out(*parts):
     """out("demo", "bunny.png") -> the path ROOT/out/demo/bunny.png, its folder made.
 

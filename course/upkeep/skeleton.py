@@ -49,7 +49,7 @@ def run(check: bool = False, force: bool = False) -> int:
 
 
 def labs():
-    """Every topic's Lab. ValueError: a reference has a wrong mark."""
+    """The Lab of every topic that has one. ValueError: a reference has a wrong mark."""
     made = manifest()
 
     def lab(topic):
@@ -61,7 +61,7 @@ def labs():
             return Lab(path, text, "in step")
         return Lab(path, text, "stale" if there in (None, made.get(path.name)) else "worked on")
 
-    return [lab(topic) for topic in exercises.topics()]
+    return [lab(topic) for topic in exercises.lab_topics()]
 
 
 def keep(path):

@@ -19,6 +19,7 @@ from . import put
 CONTENTS = (
     "notebooks/*.ipynb", "notebooks/errata.md", "notebooks/openings/*.png", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
+    "course/complete/*.py", "course/fast/*.py",
     "course/scenes/*.py", "course/checks/*.*", "course/upkeep/__init__.py",
     "course/upkeep/extras.py", "tests/conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")

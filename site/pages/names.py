@@ -11,6 +11,9 @@ TEXTS = {  # a text of the repository: its page
     "apps/reconstruct/README.md": "own_pictures",
     "apps/bridge/README.md": "real_projects"}
 
+PAGES = {"reference": "reference", "course/complete": "reference", "course/fast": "reference",
+         "course/given": "given"}  # a folder of modules: that of its pages
+
 
 def lab_page(topic):
     """antialiasing -> labs/08_antialiasing, as its lecture is called."""
@@ -68,6 +71,6 @@ def page_of_file(path):
         return f"lectures/{stem}"
     if folder == "labs" and stem in exercises.TOPICS:
         return lab_page(stem)
-    if folder in ("reference", "course/given") and (ROOT / path).exists() and ending == "py":
-        return f"{folder.rpartition('/')[2]}/{stem}"
+    if (page := PAGES.get(folder)) and (ROOT / path).exists() and ending == "py":
+        return f"{page}/{stem}"
     return "benchmarks" if path == "benchmarks/README.md" else TEXTS.get(path)

@@ -88,10 +88,11 @@ class Course(NamedTuple):
 @functools.cache
 def read():
     """The course as it is in the working folder."""
-    paths = [*map(exercises.reference, (*exercises.TOPICS, "tiny")),  # tiny is of no lab
-             *sorted((places.ROOT / "course" / "given").glob("[!_]*.py"))]
-    texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
-             for path in paths}
+    fast, given = (sorted((places.ROOT / "course" / room).glob("[!_]*.py"))
+                   for room in ("fast", "given"))
+    texts = {f"reference.{path.stem}": exercises.read(path) for path in
+             (*map(exercises.reference, (*exercises.TOPICS, "tiny")), *fast)}
+    texts |= {f"course.given.{path.stem}": exercises.read(path) for path in given}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
     lectures = {lab: read_lecture(topics) for lab, topics in enumerate(exercises.LABS, 1)}
     asked = {name: exercise for lecture in lectures.values()
@@ -113,7 +114,8 @@ def places_of(modules):
 def read_module(name, text, known):
     """known: the full names of all modules."""
     folder, topic = name.split(".")[-2:]
-    lab = exercises.lab_number(topic) if folder == "reference" and topic != "tiny" else None
+    lab = None if folder == "given" or topic == "tiny" else (  # of none
+        exercises.lab_number(topic) if topic in exercises.TOPICS else len(exercises.LABS))
     tree, names = ast.parse(text), {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom):

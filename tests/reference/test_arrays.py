@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from reference import arrays
+from course.given import arrays
 
 
 @pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),

@@ -267,6 +267,15 @@ print(installed == hasattr(pipeline.draw, "__wrapped__"), hasattr(own.draw, "__w
     assert told.split() == ["True", "False"]
 
 
+def test_without_the_kernels_a_released_reference_is_numpy(monkeypatch):
+    """A hand-out has solutions of labs 1 to 9, no course/fast, and numba: nothing is drawn."""
+    monkeypatch.setattr(compiled, "is_installed", lambda: True)
+    def draw(): ...
+    draw.__module__ = "reference.pipeline"
+    assert compiled.has_kernels("not_handed_out")(draw) is draw
+    assert compiled.has_kernels("compiled_pipeline")(draw).__wrapped__ is draw
+
+
 @pytest.mark.parametrize("slow", [0, 1, 6])
 def test_the_results_of_bands_come_in_their_order(slow):
     """What was done ahead during a slow band comes before it, twice, or not at all."""

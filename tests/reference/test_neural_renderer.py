@@ -4,9 +4,9 @@ import pytest
 from loose_faces import CAMERA, some_corners
 
 from course.checks import assert_equal
-from course.given import mesh
+from course.given import arrays, mesh
 from course.given.gradcheck import gradcheck
-from reference import arrays, neural_renderer, rasterization, scanline, transforms
+from reference import neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26

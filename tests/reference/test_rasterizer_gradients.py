@@ -4,9 +4,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from course.given import arrays
 from course.given.gradcheck import gradcheck
-from reference import arrays, scanline, vertex_gradients
 from reference import rasterizer_gradients as gradients
+from reference import scanline, vertex_gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
 GOLDEN = np.load("tests/golden/rasterize_gradients.npz")

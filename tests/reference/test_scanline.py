@@ -9,8 +9,8 @@ import pytest
 from half_planes import half_plane_loop
 from screen_scenes import on_screen
 
-from course.given import mesh
-from reference import arrays, rasterization, scanline, transforms
+from course.given import arrays, mesh
+from reference import rasterization, scanline, transforms
 from tests.labs import test_rasterization as lab_2
 
 GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")

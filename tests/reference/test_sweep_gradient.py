@@ -4,7 +4,8 @@ import pytest
 from loose_faces import some_corners
 
 from course.checks import assert_close, assert_equal
-from reference import arrays, neural_renderer, sweep_gradient
+from course.given import arrays
+from reference import neural_renderer, sweep_gradient
 
 WIDTH, HEIGHT = 23, 17
 INSIDE = [[0.8, 0.8, 1.0], [-0.5, -0.8, 1.0], [0.8, -0.8, 1.0]]

@@ -66,23 +66,31 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
                            if topic not in exercises.LABS[0]))
     texts = [path for path in handed_out.rglob("*") if path.suffix in (".py", ".ipynb", ".md")]
     assert {path.name: found for path in texts if (found := secret & lines_of(path))} == {}
-    assert {path.stem for path in (handed_out / "reference").iterdir()} == set(exercises.LABS[0])
+    assert files(handed_out, "reference/*") == {"reference/__init__.py", "reference/transforms.py"}
     assert len(texts) > 40 and len(secret) > 300
 
 
-BEFORE_8 = "transforms", "arrays", "rasterization", "scanline", "sampling"
+BEFORE_8 = "transforms", "rasterization", "scanline", "sampling"
 
 
-@pytest.mark.parametrize(("labs", "given", "lectures"), [
-    ("1-4", (), range(5)), ("8", BEFORE_8, (0, 8)), (None, (), range(18))])
+ONCE = [topic for topic in exercises.topics() if topic not in exercises.lab_topics()]
+
+
+@pytest.mark.parametrize(("labs", "given", "complete", "lectures"), [
+    ("1-4", (), (), range(5)), ("8", BEFORE_8, ("outlines", "diagnosis"), (0, 8)),
+    (None, (), ONCE, range(18))])
 def test_labs_what_they_need_their_checks_and_lectures_are_there(
-        labs, given, lectures, tmp_path, capsys):
+        labs, given, complete, lectures, tmp_path, capsys):
     """A lab that cannot be imported, or that has no checks; a lecture of labs that come later; a
     board that asks for what only came along.
     """
     handout.run(tmp_path, labs)
     asked = exercises.topics_of(labs)
-    assert files(tmp_path, "labs/*.py") == {f"labs/{topic}.py" for topic in (*asked, *given)}
+    assert files(tmp_path, "labs/*.py") == {
+        f"labs/{name}.py" for name in ("__init__", *asked, *given)}
+    assert files(tmp_path, "course/complete/*.py") == {
+        f"course/complete/{name}.py" for name in complete}
+    assert bool(files(tmp_path, "course/fast/*.py")) == (labs is None)
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
         assert exercises.read(tmp_path / f"labs/{topic}.py") == lab_text.skeleton(text)
@@ -125,7 +133,7 @@ def test_a_hand_out_of_the_first_labs_gives_nothing_away():
     """A lecture or an experiment of a lab uses a lab that comes later."""
     for lab in range(1, len(exercises.LABS) + 1):
         needed = handout.needed(exercises.topics_of(str(lab)))
-        assert set(needed) <= set(exercises.topics_of(f"1-{lab}"))
+        assert max(map(exercises.lab_number, needed)) == lab
 
 
 def test_extras_are_handed_out_open(tmp_path):
@@ -142,7 +150,7 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
     handout.run(tmp_path / "new", "1-2")
     handout.release("1", tmp_path / "solutions.zip")
     with zipfile.ZipFile(tmp_path / "solutions.zip") as archive:
-        assert archive.namelist() == [f"reference/{topic}.py" for topic in exercises.LABS[0]]
+        assert archive.namelist() == ["reference/__init__.py", "reference/transforms.py"]
         archive.extractall(tmp_path / "new")
     done = run_module(tmp_path / "new", "course", "close", "1", "--core")
     assert done.returncode == 0, done.stderr
@@ -239,7 +247,7 @@ def worked_on(tmp_path_factory):
     """A hand-out of labs 1 to 9 whose core is written, and nothing else."""
     root = tmp_path_factory.mktemp("core")
     handout.run(root, "1-9")
-    for path in root.glob("labs/*.py"):
+    for path in root.glob("labs/[!_]*.py"):
         shutil.copy(exercises.reference(path.stem), path)
     shutil.copy(PROBES / "probe_of_a_fit.py", root / "probe.py")
     return root

@@ -11,6 +11,7 @@ from course.upkeep import weight
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = "reference", "course", "apps"
+IN_REFERENCE = "reference", "course/complete", "course/fast"  # one package's modules
 LINES = 350       # of a module
 TITLE_LINES = 20  # of the docstring of a module that is taught
 CODE_LINES = 20   # of a function, see code_lines
@@ -62,7 +63,7 @@ def modules():
                        if "tests" not in path.parts):
         name = path.relative_to(ROOT).with_suffix("").as_posix()
         yield (name, path.read_text(encoding="utf-8"),
-               TITLE_LINES if name.startswith("reference") else LINES)
+               TITLE_LINES if name.startswith(IN_REFERENCE) and path.stem != "__init__" else LINES)
 
 
 def test_the_code_keeps_the_rules_but_for_the_exceptions():
@@ -117,17 +118,14 @@ def defined(text):
                         if isinstance(part, ast.Name))
 
 
-def is_of_kernels(path):
-    return path.stem.endswith("_kernels") or path.stem == "compiled_pipeline"
-
-
-@pytest.mark.parametrize("of_kernels, twice", [(False, TWICE), (True, set())])
-def test_a_name_means_one_thing_in_the_reference(of_kernels, twice):
+@pytest.mark.parametrize("folders, twice", [
+    (("reference", "course/complete"), TWICE), (("course/fast",), set())])
+def test_a_name_means_one_thing_in_the_reference(folders, twice):
     """Whoever reads `crossing` must ask which one; an exception that is none any more. A kernel and
     the function of NumPy that it stands for have one name, and so have steps of tiny.py.
     """
-    found = collections.Counter(name for path in (ROOT / "reference").glob("*.py")
-                                if is_of_kernels(path) == of_kernels and path.stem != "tiny"
+    found = collections.Counter(name for folder in folders for path in (ROOT / folder).glob("*.py")
+                                if path.stem != "tiny"
                                 for name in set(defined(path.read_text(encoding="utf-8"))))
     assert {name for name, count in found.items() if count > 1} == twice
 

@@ -2,6 +2,9 @@
 
 A room is a folder of course/ or apps/, also one in another folder, or a module that stands in none.
 The docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
+
+The modules of course/complete and course/fast are modules of reference, and are called so here.
+Those of course/complete stand among the others, and those of course/fast above them.
 """
 import ast
 import functools
@@ -15,14 +18,17 @@ from typing import NamedTuple
 
 import pytest
 
+from course.given import places
+
 ROOT = Path(__file__).parents[2]
 ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folder b of a,
            # and whoever may import a may import every room in it
     "given": (),
     "reference": ("given",),
+    "fast": ("given", "reference"),
     "scenes": ("given",),  # reference or labs come in by name, when they run
     "apps.bridge": ("given",),  # likewise
-    "apps.bridge.nvdiffrast": ("apps.bridge",),
+    "apps.bridge.nvdiffrast": ("apps.bridge", "given"),
     "apps.bridge.neural_renderer": ("apps.bridge", "given"),
     "apps.reconstruct": ("given", "scenes"),
     "exercises": ("given",),
@@ -40,14 +46,23 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "commands": ("given", "scenes", "apps", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),
     "__main__": ("cli",)}
+OF_BOTH = {Path(folder).name for folder in places.of_both()}
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
+BY_NAME = {  # `has_kernels`: what numba replaces names here what replaces it, and is known to that
+    ("reference.mipmapping", "reference.texel_kernels"),
+    ("reference.pipeline", "reference.compiled_pipeline")}
+
+
 class Module(NamedTuple):
-    """A module's text. The __init__.py of a folder stands for the folder."""
+    """A module's text. The __init__.py of a folder stands for the folder. of_both: the folder of
+    course/ that it stands in, as a module of reference and of labs, or "".
+    """
 
     text: str
     is_folder: bool
+    of_both: str = ""
 
 
 def modules_there():
@@ -55,8 +70,13 @@ def modules_there():
     paths = [path for folder in ("reference", "course", "apps")
              for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
-    return {".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"):
-            Module(path.read_text(encoding="utf-8"), path.name == "__init__.py") for path in paths}
+    found = {}
+    for path in paths:
+        parts, is_folder = path.relative_to(ROOT).with_suffix("").parts, path.stem == "__init__"
+        of_both = parts[1] if parts[1] in OF_BOTH and not is_folder else ""
+        name = f"reference.{path.stem}" if of_both else ".".join(parts).removesuffix(".__init__")
+        found[name] = Module(path.read_text(encoding="utf-8"), is_folder, of_both)
+    return found
 
 
 parsed = functools.cache(ast.parse)  # a text is looked at in many tests
@@ -78,6 +98,8 @@ def imports(name, modules):
 
 def room(name, modules):
     """course.checks.report -> checks, course.board -> board, reference.msaa -> reference."""
+    if modules[name].of_both == "fast":
+        return "fast"
     folder = name if modules[name].is_folder else name.rpartition(".")[0]
     return (name if folder == "course" else folder).removeprefix("course.")
 
@@ -97,7 +119,7 @@ def wrong(modules):
             if other in modules:
                 allowed = may_import(here, room(other, modules))
             else:
-                allowed = here != "reference" or other.split(".")[0] in OUTSIDE
+                allowed = here not in ("reference", "fast") or other.split(".")[0] in OUTSIDE
             if not allowed:
                 yield f"{name} imports {other}"
     try:
@@ -113,18 +135,20 @@ def wrong_signs(modules):
     for folder in folders - {"reference"}:
         sign = ast.get_docstring(parsed(modules[folder].text), clean=False) or ""
         named = re.findall(r"^    (\w+)  ", sign, re.MULTILINE)
-        there = {name_in(folder, name) for name in modules} - {None}
+        there = {name_in(folder, name, modules) for name in modules} - {None}
         for name in {*named} ^ there:
             yield f"the sign of {folder} {'lacks' if name in there else 'invents'} {name}"
         for number, name in enumerate(named):
-            used = {name_in(folder, other) for module in modules if name_in(folder, module) == name
-                    for other in needs[module]}
+            used = {name_in(folder, other, modules) for module in modules
+                    if name_in(folder, module, modules) == name for other in needs[module]}
             for other in used & {*named[number + 1:]}:
                 yield f"the sign of {folder} has {name} above {other}, which it imports"
 
 
-def name_in(folder, module):
+def name_in(folder, module, modules):
     """What stands in a folder for a module: checks, in course, for course.checks.report."""
+    if module in modules and modules[module].of_both:
+        module = f"course.{modules[module].of_both}.{module.partition('.')[2]}"
     below = module.removeprefix(f"{folder}.")
     return None if below == module else below.partition(".")[0]
 
@@ -152,6 +176,7 @@ def test_imports_go_one_way():
      "course.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
     ("reference.msaa", "from . import multi_view_fit", ""),
+    ("reference.msaa", "from . import face_kernels", "reference.face_kernels"),
     ("course.scenes.demo", "def late():\n    from reference import msaa",
      "reference.msaa"),
     ("course.scenes.demo", "from apps.reconstruct import hulls", "apps.reconstruct.hulls"),

@@ -1,6 +1,7 @@
 """The exercises of a module, and the labs made from the reference."""
 import json
 import os
+import subprocess
 
 import pytest
 from submitted import put
@@ -238,6 +239,28 @@ def test_the_record_holds_one_hash_for_each_lab(course):
     record = json.loads((course / "labs" / ".generated.json").read_text())
     assert record == {"transforms.py": exercises.digest(LAB)}
     assert exercises.digest(LAB.replace("\n", "\r\n")) == exercises.digest(LAB)
+
+
+def test_every_lab_has_something_to_write():
+    """A student opens a file of labs/ in vain."""
+    assert exercises.lab_topics() == exercises.asking_topics()
+    assert {path.stem for path in (places.ROOT / "labs").glob("*.py")} == {
+        "__init__", *exercises.asking_topics()}
+
+
+@pytest.mark.skipif(not (places.ROOT / ".git").exists(), reason="git alone knows what is tracked")
+def test_no_file_is_twice_in_the_tree_but_labs_of_extras_alone():
+    """Two files are one, and one of them is mended. Extras are complete until they are opened."""
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=places.ROOT, capture_output=True,
+                            check=True, text=True).stdout.split("\0")
+    there = {}
+    for path in listed:
+        if (places.ROOT / path).is_file() and (text := (places.ROOT / path).read_bytes()):
+            there.setdefault(text, set()).add(path)
+    assert {frozenset(paths) for paths in there.values() if len(paths) > 1} == {
+        frozenset({f"labs/{topic}.py", f"reference/{topic}.py"})
+        for topic in exercises.asking_topics()
+        if not any(one.is_open for one in exercises.topic_exercises(topic))}
 
 
 def test_the_courses_labs_are_in_step_with_its_reference():

@@ -21,14 +21,14 @@ from course.verdicts import run
 
 EACH = [(topic, exercise) for topic, asked in CORE.items() for exercise in asked]
 CHANCE = {  # the same number for the example's input, by another rule
-    "9.8": {"scanline.twice_area", "footprint_kernels.cross"},
+    "9.8": {"scanline.twice_area"},
     "12.12": {"neural_renderer.covers"}}
 
 
 def functions():
     """{"topic.name": function} of all that a lab may call: of the labs, and given."""
     modules = {topic: f"reference.{topic}" for topic in exercises.topics()}
-    modules |= {f"given.{name}": f"course.given.{name}" for name in exercises.GIVEN}
+    modules |= {name: f"course.given.{name}" for name in exercises.GIVEN}
     return {f"{topic}.{name}": found for topic, module in modules.items()
             for name, found in vars(importlib.import_module(module)).items()
             if isinstance(found, types.FunctionType) and found.__module__ == module}
@@ -107,6 +107,8 @@ def test_listed_twins_are_there():
              "    seen = visible(clip, faces, width, height)\n"
              "    return seen.face_index, seen.depth"),
     ("4.8", "return shading_requests(face_index)"),
+    ("17.2", "from course.given.arrays import scatter_first\n"
+             "    return scatter_first(face, pixel, count)"),
     ("4.8", "return fast(face_index)")])
 def test_a_twin_refuses_to_answer(tmp_path, number, call):
     """The list of twins is not asked, or what calls a twin, or imports it late, goes on."""

@@ -6,6 +6,7 @@ import torch
 from scipy.sparse import sparray
 from torch.utils.weak import WeakTensorKeyDictionary
 
+from ...given import arrays
 from .. import tensors
 from ..tensors import array, require, tensor
 
@@ -147,7 +148,7 @@ class Texture(torch.autograd.Function):
         labs, ctx.reading = tensors.labs, reading
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
         texels = [labs.mipmapping.pack(levels).texels for levels in reading.levels]
-        colours = [labs.arrays.masked_scatter(place.matrix @ each, place.seen)
+        colours = [arrays.masked_scatter(place.matrix @ each, place.seen)
                    for each, place in zip(texels, reading.places, strict=True)]
         found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
         if reading.sampler.boundary in ("wrap", "zero"):

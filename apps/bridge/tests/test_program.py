@@ -78,12 +78,12 @@ def test_an_exercise_that_is_not_written_is_named(tmp_path):
 
 
 @pytest.mark.parametrize(("text", "said"), [
-    ("x = 1\ndef (:\n", "labs/arrays.py, line 2: this is not Python"),
+    ("x = 1\ndef (:\n", "labs/transforms.py, line 2: this is not Python"),
     ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'")])
 def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
         text, said, tmp_path):
     """The student looks for the mistake in the file that was asked for, or in the program."""
     shutil.copytree(ROOT / "labs", tmp_path / "labs")  # they come before the course's own
-    (tmp_path / "labs" / "arrays.py").write_text(text)
+    (tmp_path / "labs" / "transforms.py").write_text(text)
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
     assert status == 2 and said in printed and "Traceback" not in printed

@@ -4,6 +4,7 @@ What a lab needs from labs that are not handed out comes with it, complete: it i
 """
 import ast
 import functools
+import itertools
 import json
 import re
 import textwrap
@@ -97,8 +98,10 @@ def new(asked, after, released, extra, spine):
 def release(labs, path) -> int:
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
     topics = exercises.topics_of(labs)
+    folder = places.ROOT / "reference"
     places.write_whole(path, archives.zipped(
-        (f"reference/{topic}.py", exercises.reference(topic).read_bytes()) for topic in topics))
+        (f"reference/{name}.py", (folder / f"{name}.py").read_bytes())
+        for name in ("__init__", *topics)))
     print(f"{path}: unpack it in the hand-out's folder; it adds the solutions of "
           f"{', '.join(topics)} to reference/")
     return 0
@@ -110,10 +113,15 @@ def files(asked, released, extra, spine):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()
+    for package in ["labs", *(["reference"] if released else [])]:
+        yield f"{package}/__init__.py", (places.ROOT / package / "__init__.py").read_bytes()
     yield from labs_of(asked, released, extra, spine)
+    for path in (places.ROOT / "course" / "fast").glob("*.py") if "kernels" in asked else ():
+        yield places.shown_path(path), path.read_bytes()  # it has lines of other labs' answers
     for topic in came_along(asked):
-        text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
+        path = exercises.reference(topic)
+        name = f"labs/{topic}.py" if path.parent.name == "reference" else places.shown_path(path)
+        yield name, without_marks(exercises.read(path)).encode("utf-8")
     for path in lectures(asked):
         text = exercises.read(path)
         if not released or not set(needed([], path)) <= set(released):
@@ -140,8 +148,11 @@ def labs_of(asked, released, extra, spine):
 
 
 def is_for_teachers(name):
-    """A copy without these files is one for students. Of course/grading, they get what packs."""
-    return name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
+    """A copy without these files is one for students. Of course/grading they get what packs, and
+    what stands once they get with the labs that it belongs to.
+    """
+    return name in TEACHERS or (name not in PACKS and name.startswith(
+        ("course/grading/", "course/complete/", "course/fast/")))
 
 
 def readme(asked, released, spine):
@@ -151,9 +162,8 @@ def readme(asked, released, spine):
     def listed(topics):
         return ", ".join(f"`{topic}`" for topic in topics)
 
-    labs = dict.fromkeys(map(exercises.lab_number, asked))
-    files = [f"    lab {lab:<4}{', '.join(f'{topic}.py' for topic in exercises.LABS[lab - 1])}"
-             for lab in labs]
+    labs = itertools.groupby(asked, exercises.lab_number)
+    files = [f"    lab {lab:<4}{', '.join(f'{topic}.py' for topic in its)}" for lab, its in labs]
     about = "\n".join(["    the files in labs/", *files])
     if spine:
         about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
@@ -175,8 +185,14 @@ def lectures(topics):
 
 
 def needed(topics, *more) -> list[str]:
-    """The topics that these topics, their lectures and more files need, in the course's order."""
-    ends = [*map(exercises.reference, topics), *lectures(topics), *more]
+    """The topics that these topics, their lectures and more files need, in the course's order.
+
+    They need all of their labs that has nothing to write: a scene may use it.
+    """
+    labs = {exercises.lab_number(topic) for topic in topics}
+    ends = [*map(exercises.reference, topics), *lectures(topics), *more,
+            *(places.complete(topic) for topic in exercises.topics()
+              if exercises.lab_number(topic) in labs and places.complete(topic).exists())]
     seen = set(ends)
     while ends:
         new = uses(ends.pop()) - seen
@@ -187,8 +203,9 @@ def needed(topics, *more) -> list[str]:
 
 @functools.cache
 def uses(path):
-    """The files in reference/ and course/scenes/ that a module or a notebook uses."""
-    rooms = places.ROOT / "reference", places.ROOT / "course" / "scenes"
+    """The files of a topic, or in course/scenes/, that a module or a notebook uses."""
+    topics = places.ROOT / "reference", places.complete("").parent
+    rooms = *topics, places.ROOT / "course" / "scenes"
     found = set()
     for node in ast.walk(ast.parse(code_of(path))):
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
@@ -198,6 +215,7 @@ def uses(path):
             module = folder.joinpath(*(node.module or "").split("."))
             found |= {module.with_suffix(".py"), *(module / f"{name.name}.py"
                                                    for name in node.names)}
+    found = {exercises.reference(file.stem) if file.parent in topics else file for file in found}
     return {file for file in found if file.parent in rooms and file.exists()
             and file.stem not in ("demo", "still_life")}  # they take labs when they run
 

@@ -18,12 +18,12 @@ def run(name="labs.zip") -> int:
     """
     labs = places.ROOT / "labs"
     read = functools.partial(imports.text_in, labs)
-    there = {topic: text for topic in exercises.topics() if (text := read(topic)) is not None}
+    there = {topic: text for topic in exercises.lab_topics() if (text := read(topic)) is not None}
     places.write_whole(name, archives.zipped(
         (f"labs/{each}.py", (labs / f"{each}.py").read_bytes())
         for each in (*there, *imports.own_modules(there.values(), read))))
 
-    texts, missing, notes = archives.read(name, exercises.topics())
+    texts, missing, notes = archives.read(name, exercises.lab_topics())
     with tempfile.TemporaryDirectory() as made:
         folder = str(Path(made).resolve())
         for topic, text in texts.items():

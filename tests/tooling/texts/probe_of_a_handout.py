@@ -26,7 +26,7 @@ def imports(cells):
             if isinstance(node, ast.Import | ast.ImportFrom)]
 
 
-for path in Path("labs").glob("*.py"):
+for path in Path("labs").glob("[!_]*.py"):
     importlib.import_module(f"labs.{path.stem}")
 for path in sorted(Path("notebooks").glob("*.ipynb")):
     first, *others = exercises.cells(path, "code")

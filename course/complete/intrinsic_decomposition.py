@@ -23,8 +23,9 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse.linalg
 
+from course.given.arrays import scatter
+
 from . import interpolation, pipeline, received_light, reconstruction, regularization
-from .arrays import scatter
 from .inverse_rendering import adam_step, descend, uniform_laplacian
 
 

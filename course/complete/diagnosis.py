@@ -14,8 +14,9 @@ parameters are those of `antialias`.
 """
 import numpy as np
 
+from course.given.arrays import EDGES
+
 from .antialiasing import WINDOW, blend, blend_weight
-from .arrays import EDGES
 from .outlines import blended_pairs, is_dropped, jumping_pairs, seen_silhouettes, vertices_on_screen
 
 ROUNDING = 1e-9  # of a colour: more than this beyond the range is not rounding

@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from course.given.arrays import EDGES
+
 from .antialiasing import (
     blend_pairs,
     blend_pairs_backward,
@@ -29,7 +31,6 @@ from .antialiasing import (
     pair_frame,
     silhouette_edges,
 )
-from .arrays import EDGES
 from .rasterization import screen_points
 
 

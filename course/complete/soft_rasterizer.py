@@ -14,8 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from course.given.arrays import EDGES, expand, scatter
+
 from . import neural_renderer
-from .arrays import EDGES, expand, scatter
 
 LEAST_PROBABILITY = 1e-6  # a face with less than this does not count in a pixel, eq. (9)
 

@@ -1,0 +1,15 @@
+"""What is only faster than a module of reference: its loops as kernels, on all cores. No exercise.
+
+A kernel asks for arrays and decides nothing that a module of reference does not. These modules are
+imported as those of course/complete are, `from reference import face_kernels`, and take what they
+need from the package that asks. Where numba is installed, pipeline.py and mipmapping.py are
+replaced by the last two, to the bit (course/given/compiled.py).
+
+    face_kernels       lab 2's rasterizer
+    pixel_kernels      weights and colours of labs 2 and 5, there and back
+    pair_kernels       lab 8's antialiasing, there and back
+    pyramid_kernels    lab 6's pyramids and levels
+    texel_kernels      lab 6's look-ups, there and back: `texture`
+    footprint_kernels  where each pixel looks up a texture, there and back
+    compiled_pipeline  lab 9: `draw` and `draw_backward`, by all of these
+"""
