@@ -17,7 +17,8 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from course.given import mesh, places
+from course.given import mesh
+from labkit import places
 from reference import transforms
 
 FACES = 1_000, 10_000, 100_000

@@ -21,8 +21,9 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
-from course.given import compiled, places, plot
+from course.given import compiled, plot
 from course.scenes import fit_cube
+from labkit import places
 from reference import pipeline, transforms
 
 FACES = 1_000, 10_000, 100_000, 1_000_000

@@ -44,8 +44,8 @@ import sys
 from pathlib import Path
 
 from course.commands import COMMANDS
-from course.given import memory
-from course.given.places import ROOT, is_handout
+from labkit import memory
+from labkit.places import ROOT, is_handout
 
 FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mistakes", "mutants",
                 "site", "test")  # commands that a copy for students withholds

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 COMMANDS = {}  # name -> (function, options), in the order below
 
@@ -71,8 +71,8 @@ def demo(asked):
     option("--all", action="store_true", help="all of them"))
 def notebooks(asked):
     """Run notebooks from a clean kernel, and save what they print and draw otherwise."""
-    import course.upkeep.notebooks
-    return course.upkeep.notebooks.run(asked.names, everything=asked.all)
+    import labkit.upkeep.notebooks
+    return labkit.upkeep.notebooks.run(asked.names, everything=asked.all)
 
 
 @command(
@@ -112,8 +112,8 @@ def run(asked):
     option("--spine", action="store_true", help="check the spine alone: the exercises for a week"))
 def check(asked):
     """Check the labs and show the board. Status 0 only if all that was asked for passes."""
-    import course.board
-    run = course.board.watch if asked.watch else course.board.check
+    import labkit.board
+    run = labkit.board.watch if asked.watch else labkit.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
                pictures=asked.pictures, extra=asked.extra, spine=asked.spine)
 
@@ -121,23 +121,23 @@ def check(asked):
 @command(OPENED)
 def open_(asked):
     """Empty an extra of labs/, or all extras of a lab, to write them yourself."""
-    import course.upkeep.extras
-    return course.upkeep.extras.open_extras(asked.target)
+    import labkit.upkeep.extras
+    return labkit.upkeep.extras.open_extras(asked.target)
 
 
 @command(OPENED, option("--core", action="store_true",
                         help="put released solutions into the core, too"))
 def close(asked):
     """Put the answers back into extras that are open and untouched."""
-    import course.upkeep.extras
-    return course.upkeep.extras.close(asked.target, core=asked.core)
+    import labkit.upkeep.extras
+    return labkit.upkeep.extras.close(asked.target, core=asked.core)
 
 
 @command(option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name"))
 def pack(asked):
     """Put the labs into one zip, check what is in it, and print its hash."""
-    import course.grading.handing.pack
-    return course.grading.handing.pack.run(asked.file)
+    import labkit.grading.handing.pack
+    return labkit.grading.handing.pack.run(asked.file)
 
 
 # --- to teach -----------------------------------------------------------------------------------
@@ -153,8 +153,8 @@ def pack(asked):
            help="the spine alone: what a week holds, the rest complete"))
 def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
-    import course.grading.handing.handout
-    return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
+    import labkit.grading.handing.handout
+    return labkit.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
                                               extra=asked.extra, spine=asked.spine,
                                               after=asked.after)
 
@@ -163,8 +163,8 @@ def handout(asked):
          option("file", metavar="FILE", help="the zip's name"))
 def solutions(asked):
     """Write a zip of solutions, for students to unpack in their copy of the course."""
-    import course.grading.handing.handout
-    return course.grading.handing.handout.release(asked.labs, asked.file)
+    import labkit.grading.handing.handout
+    return labkit.grading.handing.handout.release(asked.labs, asked.file)
 
 
 @command(
@@ -172,8 +172,8 @@ def solutions(asked):
     GRADED)
 def autograder(asked):
     """Write the zip that Gradescope takes as an assignment's autograder."""
-    import course.grading.autograder
-    return course.grading.autograder.gradescope(asked.file, asked.labs)
+    import labkit.grading.autograder
+    return labkit.grading.autograder.gradescope(asked.file, asked.labs)
 
 
 @command(
@@ -207,9 +207,9 @@ def grade(asked):
     Options that are not given are those of the last run into DIR. --due "" forgets one.
     """
     try:
-        import course.grading.grade
-        from course.grading.request import Request
-        return course.grading.grade.run(
+        import labkit.grading.grade
+        from labkit.grading.request import Request
+        return labkit.grading.grade.run(
             Request(*(getattr(asked, name) for name in Request._fields)))
     except KeyboardInterrupt:
         raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
@@ -224,23 +224,23 @@ def grade(asked):
     option("--force", action="store_true", help="start afresh the labs that were worked on, too"))
 def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
-    import course.upkeep.skeleton
-    return course.upkeep.skeleton.run(check=asked.check, force=asked.force)
+    import labkit.upkeep.skeleton
+    return labkit.upkeep.skeleton.run(check=asked.check, force=asked.force)
 
 
 @command(TRIED)
 def mistakes(asked):
-    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/checks/hints.json."""
-    import course.upkeep.mistakes
-    return course.upkeep.mistakes.run(asked.target)
+    """Try the mistakes in tests/mistakes/: each must be caught. Makes labkit/checks/hints.json."""
+    import labkit.upkeep.mistakes
+    return labkit.upkeep.mistakes.run(asked.target)
 
 
 @command(option("target", nargs="?", metavar="TARGET",
                 help="a topic, a lab or an exercise, as for check; without, everything: an hour"))
 def mutants(asked):
     """Put small mistakes into the reference's exercises, and count those that the checks catch."""
-    import course.upkeep.mutants
-    return course.upkeep.mutants.run(asked.target)
+    import labkit.upkeep.mutants
+    return labkit.upkeep.mutants.run(asked.target)
 
 
 @command(
@@ -267,8 +267,8 @@ def test(asked):
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"), str(ROOT))
     left_out = () if asked.all else ("-m", "not weekly")
     tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
-    import course.upkeep.notebooks
-    if older := course.upkeep.notebooks.older():
+    import labkit.upkeep.notebooks
+    if older := labkit.upkeep.notebooks.older():
         print(f"{len(older)} lectures are older than their code, which is no mistake; "
               "python3 -m course notebooks runs them")
     if lint:

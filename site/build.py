@@ -19,7 +19,7 @@ sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the
 from pages import benchmarks, front, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
-from course.given.places import ROOT, out, shown_path
+from labkit.places import ROOT, out, shown_path
 
 SITE = ROOT / "site"
 WORK, TARGET = out("site-source"), out("site")

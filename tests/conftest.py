@@ -1,6 +1,6 @@
 import pytest
 
-pytest_plugins = ["course.checks.plugin"]
+pytest_plugins = ["labkit.checks.plugin"]
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from course.given import image, places
+from course.given import image
+from labkit import places
 
 LEAST = 4  # views
 NERF = "transforms.json", "transforms_train.json"

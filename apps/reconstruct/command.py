@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from rich.progress import track
 
-from course.given import places
 from course.given.whose import Labs, exercises_named
 from course.scenes import hull, reconstruct
+from labkit import places
 
 from . import captures, exports, views
 

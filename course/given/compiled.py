@@ -18,7 +18,7 @@ import importlib.util
 import itertools
 import os
 
-from .contract import UNFINISHED
+from labkit.contract import UNFINISHED
 
 CHECKED = "implementation"  # the package of the code under test
 

@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import places
-from .contract import called, unchanged
+from labkit import places
+from labkit.contract import called, unchanged
+from labkit.suspicions import suspicion
+
 from .gradcheck_picture import draw
-from .suspicions import suspicion
 from .sweeps import RTOL, STEPS, direction_part, element_part, relative_error, sweep
 
 LEFT_OUT_LIMIT = 0.10  # a check that leaves out a larger share says too little

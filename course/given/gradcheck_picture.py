@@ -3,7 +3,7 @@ import io
 
 import numpy as np
 
-from . import places
+from labkit import places
 
 
 def draw(part, name, steps, D, change):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from PIL import ExifTags, Image, ImageOps
 
-from . import places
+from labkit import places
 
 # Where the two pieces of the sRGB curve meet. The standard rounds it to 0.0031308, which leaves a
 # step of 3e-8 and so a curve without an exact inverse.

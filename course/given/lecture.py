@@ -21,8 +21,10 @@ import types
 import matplotlib.pyplot as plt
 from IPython import get_ipython
 
-from . import memory, pale, plot
-from .contract import UNFINISHED
+from labkit import memory
+from labkit.contract import UNFINISHED
+
+from . import pale, plot
 from .whose import Lacking, exercises_named
 
 SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp

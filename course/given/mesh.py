@@ -12,7 +12,7 @@ import re
 import numpy as np
 import scipy.sparse
 
-from . import places
+from labkit import places
 
 # The given meshes
 

@@ -5,7 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from . import inputs, mesh, places
+from labkit import places
+
+from . import inputs, mesh
 
 KINDS = ".obj", ".ply", ".stl", ".off"
 

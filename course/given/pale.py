@@ -13,7 +13,7 @@ import zlib
 from IPython.display import display
 from PIL import Image
 
-from . import places
+from labkit import places
 
 PALER = bytes(165 + 6 * value // 17 for value in range(256))  # a colour's numbers, nearer to white
 

@@ -2,8 +2,8 @@
 import contextlib
 import importlib
 
-from . import places
-from .contract import UNFINISHED
+from labkit import places
+from labkit.contract import UNFINISHED
 
 
 class Lacking(ValueError):

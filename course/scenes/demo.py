@@ -10,7 +10,8 @@ import importlib
 import time
 from pathlib import Path
 
-from ..given import places
+from labkit import places
+
 from ..given.whose import Labs, Lacking, exercises_named
 from . import own
 

@@ -2,7 +2,9 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..given import image, mesh, places
+from labkit import places
+
+from ..given import image, mesh
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space

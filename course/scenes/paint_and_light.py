@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import image, places
+from labkit import places
+
+from ..given import image
 from . import hull, photographs, reconstruct
 from .drawing import WHITE, save
 from .viewing import cameras_around

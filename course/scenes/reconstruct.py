@@ -8,7 +8,9 @@ import time
 import numpy as np
 from rich.progress import track
 
-from ..given import distances, image, mesh, places
+from labkit import places
+
+from ..given import distances, image, mesh
 from .drawing import WHITE, save_labelled, unit_bunny
 from .photographs import Painted, daylight, found_object, lamps, photographs, portrait
 from .viewing import cameras_around

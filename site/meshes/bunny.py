@@ -14,7 +14,7 @@ from scipy.spatial import KDTree
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from course.given import image, mesh
-from course.given.places import ROOT
+from labkit.places import ROOT
 from reference import collapse_heap
 
 FOUND = ROOT / "out" / "reconstruct" / "bunny" / "bunny.glb"

@@ -4,7 +4,7 @@ import io
 
 from PIL import Image
 
-from course.given.places import write_whole
+from labkit.places import write_whole
 
 
 def put(path, content):

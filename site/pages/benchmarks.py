@@ -2,7 +2,7 @@
 import json
 
 from benchmarks.measure import text as number
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 from . import put
 from .texts_links import linked, with_pictures

@@ -2,10 +2,11 @@
 import html
 from unittest import mock
 
-from course.given import image, places
+from course.given import image
 from course.given.whose import Labs
 from course.scenes import aliasing, msaa, shadow
 from course.scenes.drawing import enlarged
+from labkit import places
 
 from . import picture, put
 

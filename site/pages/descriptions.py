@@ -6,7 +6,7 @@ import textwrap
 
 from docutils import nodes
 
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 LEAST, MOST = 50, 220  # characters
 TAG = re.compile(r"<[^>]+>")

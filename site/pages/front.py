@@ -7,8 +7,8 @@ from pathlib import Path
 
 from PIL import Image, ImageOps
 
-from course import exercises
-from course.given.places import DATA, ROOT, read_whole
+from labkit import exercises
+from labkit.places import DATA, ROOT, read_whole
 
 from . import poster, put
 from .sidebar import trees

@@ -8,7 +8,7 @@ On the site the link goes, and what it names stands below the paragraph.
 """
 import re
 
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 from . import comparisons, turntables, waves
 

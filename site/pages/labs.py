@@ -5,8 +5,7 @@ import re
 
 from docutils.nodes import make_id
 
-from course import exercises
-from course.given import places
+from labkit import exercises, places
 
 from . import put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points

@@ -10,8 +10,8 @@ import re
 import nbformat
 from PIL import Image
 
-from course.given.places import ROOT, read_whole
-from course.upkeep import hours
+from labkit.places import ROOT, read_whole
+from labkit.upkeep import hours
 
 from . import inserts, picture, poster, put, sidebar
 from .texts_links import with_page_links
@@ -19,7 +19,7 @@ from .texts_links import with_page_links
 NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 OPENING = re.compile(r'<img src="([^"]+)" width="(\d+)" alt="([^"]+)">')
-BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
+BOARD = re.compile(r"# live\s+(?:(?:from labkit import board|board\.show\([^)]*\))\s*)+")
 IMPORTS = "import sys; sys.path.append"
 
 

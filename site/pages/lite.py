@@ -12,7 +12,7 @@ import zipfile
 from importlib.metadata import distribution
 from pathlib import Path
 
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 from . import put
 
@@ -20,8 +20,8 @@ CONTENTS = (
     "notebooks/*.ipynb", "notebooks/errata.md", "notebooks/openings/*.png", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
     "course/complete/*.py", "course/fast/*.py",
-    "course/scenes/*.py", "course/checks/*.*", "course/upkeep/__init__.py",
-    "course/upkeep/extras.py", "tests/conftest.py",
+    "course/scenes/*.py", "labkit/checks/*.*", "labkit/upkeep/__init__.py",
+    "labkit/upkeep/extras.py", "tests/conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.

@@ -1,13 +1,13 @@
 """Where on the site the course's functions, exercises and files are, and what they are called."""
 import functools
 
-from course import exercises
-from course.given.places import ROOT
+from labkit import exercises
+from labkit.places import ROOT
 
 from . import sources_course
 
 TEXTS = {  # a text of the repository: its page
-    "course/grading/README.md": "instructors", "notebooks/errata.md": "errata",
+    "labkit/grading/README.md": "instructors", "notebooks/errata.md": "errata",
     "apps/reconstruct/README.md": "own_pictures",
     "apps/bridge/README.md": "real_projects"}
 

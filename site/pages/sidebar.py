@@ -4,8 +4,8 @@ An extension of Sphinx, too: "next" leads from lecture to lecture, and from lab 
 """
 import re
 
-from course import exercises
-from course.given.places import ROOT
+from labkit import exercises
+from labkit.places import ROOT
 
 from .names import lab_page
 

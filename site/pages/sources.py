@@ -5,7 +5,7 @@ Beside its docstring stands its code, with the numbers of its lines in the file.
 """
 import ast
 
-from course import exercises
+from labkit import exercises
 
 from . import put, sources_course
 from .names import exercise_pages, kind, lab_title, mark

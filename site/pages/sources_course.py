@@ -7,8 +7,7 @@ import functools
 import re
 from typing import NamedTuple
 
-from course import exercises
-from course.given import places
+from labkit import exercises, places
 
 
 class Module(NamedTuple):

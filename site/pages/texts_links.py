@@ -7,7 +7,7 @@ import posixpath
 import re
 
 from course.given import image
-from course.given.places import ROOT
+from labkit.places import ROOT
 
 from . import picture, put
 from .names import TEXTS, function_page, page_of_file

@@ -2,9 +2,9 @@
 import numpy as np
 
 from course.given import image, mesh
-from course.given.places import ROOT
 from course.given.whose import Labs
 from course.scenes import drawing, levels, portrait, viewing
+from labkit.places import ROOT
 
 from . import picture
 

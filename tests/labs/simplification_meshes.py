@@ -3,7 +3,7 @@ import itertools
 
 import numpy as np
 
-from course.checks import assert_close, assert_equal
+from labkit.checks import assert_close, assert_equal
 from course.given import mesh
 
 LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-6, 0.5**0.5, 0.01  # as in the module

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course.checks import Mismatch, assert_equal
+from labkit.checks import Mismatch, assert_equal
 from course.given import mesh
 
 # A hub of valence 5 inside, and one of 4 on the boundary; vertices 3 and 9 belong to no face.

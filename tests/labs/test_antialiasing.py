@@ -4,7 +4,7 @@ import itertools
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 from course.given import mesh
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k

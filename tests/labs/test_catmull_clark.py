@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import subdivision_meshes as meshes
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 
 def mean_of(corners, count):

@@ -3,7 +3,7 @@ import itertools
 
 import numpy as np
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 # One direction to each face, away from its middle, and where it is on the face.
 DIRECTIONS = np.array([[4.0, 1, -2], [-4, 1, -2], [1, 4, -2], [1, -4, -2], [1, -2, 4], [1, -2, -4]])

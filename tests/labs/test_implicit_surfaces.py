@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 HALF = np.array([0.5, 1.0, 1.5])
 

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "interpolate.npz"
 each_golden = pytest.mark.parametrize(

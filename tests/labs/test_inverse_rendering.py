@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from course.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import Mismatch, assert_close, assert_equal, exercise
 
 # Two triangles at an edge, a tail, and a vertex that is alone; every valence from 0 to 4.
 EDGES = np.array([[0, 1], [2, 0], [1, 2], [3, 1], [2, 3], [2, 4]])

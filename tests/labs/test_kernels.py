@@ -1,7 +1,7 @@
 """What the exercises of lab 17 must do: loops whose threads may come in any order."""
 import numpy as np
 
-from course.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import Mismatch, assert_close, assert_equal, exercise
 
 BOXES = np.array([[0, 0, 3, 2], [2, 1, 5, 4], [1, 1, 2, 2], [4, 0, 4, 3]])  # the last has no column
 

@@ -1,7 +1,7 @@
 """What the exercises of lab 6 must do, second part: the pyramid and the level."""
 import numpy as np
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 
 def grey(rows):

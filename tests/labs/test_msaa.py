@@ -4,7 +4,7 @@ import time
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
 # Two rows of three pixels, four samples; the pixels in rows from the bottom, the samples across:
 #   [4, 4, 4, 4]  [4, 6, 6, 4]  [-1, 9, -1, 9]

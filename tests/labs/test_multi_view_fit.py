@@ -1,7 +1,7 @@
 """What the exercise of multi_view_fit.py must do: the step of the search, there and back."""
 import numpy as np
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 Y0, Y1 = np.sqrt(np.array([1, 3]) / np.pi) / 2
 IN_FRONT = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, 0], [0, 0, -1, 3]])

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 

@@ -2,8 +2,8 @@
 import numpy as np
 import pytest
 
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
-from course.given import places
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
+from labkit import places
 
 GOLDEN = places.ROOT / "tests" / "golden" / "rasterize.npz"
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k

@@ -4,7 +4,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
 TRIANGLE = np.array([[1.0, 1.0], [7.0, 2.0], [3.0, 6.0]])  # counter-clockwise
 

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from corner_matrices import MATRICES, NEAR
 
-from course.checks import assert_close, exercise
+from labkit.checks import assert_close, exercise
 
 # Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
 PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])

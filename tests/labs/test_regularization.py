@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from regularization_graphs import angle, dense, graph
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 RIGHT = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
 EQUILATERAL = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, np.sqrt(3)]])

@@ -3,7 +3,7 @@
 import numpy as np
 from regularization_graphs import angle, dense, graph
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 
 @exercise("13.14")

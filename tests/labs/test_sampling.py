@@ -4,7 +4,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
 SQUARE = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
 TRIANGLE = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])  # counter-clockwise

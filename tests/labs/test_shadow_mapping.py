@@ -2,7 +2,7 @@
 import numpy as np
 from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 WIDTH, HEIGHT = 12, 7
 

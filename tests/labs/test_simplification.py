@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import simplification_meshes as meshes
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 from course.given import mesh
 
 # --- quadrics ----------------------------------------------------------------------------------

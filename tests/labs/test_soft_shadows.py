@@ -4,7 +4,7 @@ import math
 import numpy as np
 from shadow_lights import CONE
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 
 @exercise("14.10")

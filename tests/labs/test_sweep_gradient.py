@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import Mismatch, assert_close, assert_equal, exercise
 
 ENDS = np.array([2.0, 0.25]), np.array([10.0, 4.25])
 ROWS = np.array([0.5, 1.5, 3.5, 2.75])

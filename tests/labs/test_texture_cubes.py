@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import Mismatch, assert_close, assert_equal, exercise
 
 # --- texture cubes -----------------------------------------------------------------------------
 

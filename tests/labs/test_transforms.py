@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_refused, exercise
+from labkit.checks import assert_close, assert_refused, exercise
 
 # A matrix of which no part is symmetric, and whose inverse is not its transpose.
 MATRIX = np.array([[1.0, 2.0, 0.0, 3.0],

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from corner_matrices import MATRICES, NEAR
 
-from course.checks import assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 # A triangle for paper: c = (1 - x/4 - y/2, x/4, y/2).
 PAPER = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])

@@ -1,9 +1,9 @@
 """The way by loops alone is the pipeline's way."""
 import numpy as np
 
-from course.checks import assert_close
 from course.given.whose import Labs
 from course.scenes import by_loops, viewing
+from labkit.checks import assert_close
 from reference import pipeline
 
 

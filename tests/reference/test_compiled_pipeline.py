@@ -6,8 +6,9 @@ import time
 import numpy as np
 import pytest
 
-from course.given import compiled, mesh, places
+from course.given import compiled, mesh
 from course.given.compiled import without_kernels
+from labkit import places
 from reference import (
     antialiasing,
     compiled_pipeline,

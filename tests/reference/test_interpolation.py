@@ -3,9 +3,9 @@ import numpy as np
 import pytest
 from screen_scenes import camera
 
-from course.checks import assert_equal
 from course.given import mesh
 from course.given.gradcheck import gradcheck
+from labkit.checks import assert_equal
 from reference import interpolation, rasterization, scanline, transforms
 
 

@@ -4,9 +4,9 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
+from labkit.checks import assert_close
 from reference import inverse_rendering
 
 

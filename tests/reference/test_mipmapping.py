@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from look_up_goldens import picture_scene
 
-from course.checks import assert_equal
 from course.given.gradcheck import gradcheck
+from labkit.checks import assert_equal
 from reference import mipmapping, texturing
 
 

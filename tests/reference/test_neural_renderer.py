@@ -3,9 +3,9 @@ import numpy as np
 import pytest
 from loose_faces import CAMERA, some_corners
 
-from course.checks import assert_equal
 from course.given import arrays, mesh
 from course.given.gradcheck import gradcheck
+from labkit.checks import assert_equal
 from reference import neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17

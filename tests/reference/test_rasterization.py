@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course.checks import assert_close
+from labkit.checks import assert_close
 from reference import rasterization
 from tests.labs.test_rasterization import ray_weights
 

@@ -1,9 +1,9 @@
 """The reference on whole meshes: Laplacians, energies, smoothing, and large steps."""
 import numpy as np
 
-from course.checks import assert_close, assert_equal
 from course.given import mesh
 from course.given.gradcheck import gradcheck
+from labkit.checks import assert_close, assert_equal
 from reference import inverse_rendering, regularization
 
 

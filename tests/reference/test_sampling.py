@@ -3,7 +3,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from course.checks import assert_close
+from labkit.checks import assert_close
 from tests.labs.test_sampling import exact_area
 
 SQUARE = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])

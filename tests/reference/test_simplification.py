@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from simplification_meshes import euler, planes_of
 
-from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
+from labkit.checks import assert_close, assert_equal
 from reference import collapse_heap, simplification, subdivision
 
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of

@@ -4,8 +4,8 @@ import pytest
 from subdivision_meshes import MOEBIUS, TETRAHEDRON
 from triangle_meshes import POLYGONS, each_polygon_mesh
 
-from course.checks import assert_equal
 from course.given import mesh
+from labkit.checks import assert_equal
 from reference import catmull_clark, loop_subdivision, subdivision
 
 

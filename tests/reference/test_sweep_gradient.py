@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 from loose_faces import some_corners
 
-from course.checks import assert_close, assert_equal
 from course.given import arrays
+from labkit.checks import assert_close, assert_equal
 from reference import neural_renderer, sweep_gradient
 
 WIDTH, HEIGHT = 23, 17

@@ -5,7 +5,7 @@ from math import floor
 import numpy as np
 import pytest
 
-from course.checks import assert_equal
+from labkit.checks import assert_equal
 from reference import texturing
 
 

@@ -1,5 +1,5 @@
 """What is given in lab 7: the residual."""
-from course.checks import assert_close
+from labkit.checks import assert_close
 from tests.labs.test_vertex_gradients import brightness, each_matrix
 
 

@@ -44,7 +44,7 @@ def as_in_a_browser(folder, code):
 def test_the_board_is_that_of_a_process_of_its_own_and_reads_a_lab_anew(contents):
     """An exercise is written between two looks at the board: the second one says so."""
     told = as_in_a_browser(contents, """
-from course import board
+from labkit import board
 board.show("2.1")
 solution = Path("../reference/rasterization.py").read_text("utf-8")
 Path("../labs/rasterization.py").write_text(solution, "utf-8")

@@ -13,7 +13,7 @@ from bs4 import BeautifulSoup
 from pages import labs, names, sources_course, sources_text, texts_links
 from serving import soup
 
-from course import exercises
+from labkit import exercises
 
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)

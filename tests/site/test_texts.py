@@ -8,7 +8,7 @@ import pytest
 from pages import benchmarks, names, texts_links
 from serving import ROOT
 
-from course import exercises
+from labkit import exercises
 
 BIBLIOGRAPHY = (ROOT / "site" / "texts" / "bibliography.md").read_text("utf-8")
 GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")

@@ -14,8 +14,8 @@ import matplotlib.pyplot as plt
 import pytest
 from afresh import ROOT
 
-from course import cli
-from course.given import places, plot
+from course.given import plot
+from labkit import cli, places
 
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
@@ -44,7 +44,7 @@ def house(tmp_path_factory):
         root = tmp_path_factory.mktemp("house")
         # With what was compiled, which is of use as long as a file is as old as it was.
         given = (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/**/__pycache__/*.pyc"),
-                 *ROOT.glob("course/grading/files/*"))
+                 *ROOT.glob("labkit/grading/files/*"))
         given = [path for path in given if path.parent != ROOT / "course" / "complete"]  # topics
         for path in (*given, *map(ROOT.joinpath, (
                 "tests/conftest.py", "pyproject.toml", "requirements.txt"))):

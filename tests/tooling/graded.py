@@ -1,13 +1,13 @@
 """Records as grading leaves them, made without grading."""
-from course.checks.report import Check
-from course.exercises import Exercise
-from course.grading.apart.jobs import Result
-from course.grading.gradebook.lateness import Lateness
-from course.grading.gradebook.overrides import Override
-from course.grading.gradebook.records import How, Record
-from course.grading.handing.platforms import Identity
-from course.grading.handing.submissions import Submission
-from course.verdicts import Entry
+from labkit.checks.report import Check
+from labkit.exercises import Exercise
+from labkit.grading.apart.jobs import Result
+from labkit.grading.gradebook.lateness import Lateness
+from labkit.grading.gradebook.overrides import Override
+from labkit.grading.gradebook.records import How, Record
+from labkit.grading.handing.platforms import Identity
+from labkit.grading.handing.submissions import Submission
+from labkit.verdicts import Entry
 
 
 def exercise(number, name, points, is_extra=False):

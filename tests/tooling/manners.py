@@ -1,6 +1,6 @@
 """Other manners, which other_forms.py adds to a module: its exercises return their numbers in one
 form after another, warn in every call, and refuse what checks have not promised to give. See
-course/given/contract.py.
+labkit/contract.py.
 """
 import functools
 import itertools

@@ -1,7 +1,7 @@
 """A topic's reference with other manners, which are those of manners.py."""
 from pathlib import Path
 
-from course import exercises
+from labkit import exercises
 
 MANNERS = exercises.read(Path(__file__).with_name("manners.py"))
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from submitted import put
 
-from course.exercises import read
+from labkit.exercises import read
 
 TEXTS = Path(__file__).with_name("texts")
 LAB, SECOND = read(TEXTS / "transforms.py"), read(TEXTS / "rasterization.py")

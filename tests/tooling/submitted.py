@@ -4,8 +4,7 @@ import os
 import re
 import zipfile
 
-from course import exercises
-from course.given import places
+from labkit import exercises, places
 
 FOLDER = places.ROOT / "tests" / "other_solutions"
 CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]

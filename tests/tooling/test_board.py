@@ -10,8 +10,7 @@ import graded
 import pytest
 from made_up import SPOILT, check_text, exercise_text
 
-from course import board, exercises
-from course.given import places
+from labkit import board, exercises, places
 
 REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.1", "double", "Twice x.", "return 2 * x", points=2),
@@ -26,7 +25,7 @@ REFERENCE = '"""Made up."""\n' + "".join((
 LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
 
-CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" + "".join((
+CHECKS = "import pytest\n\nfrom labkit.checks import assert_close, exercise\n" + "".join((
     check_text("1.1", "twice", "Once.", "assert_close(impl.double(2.0), 4.0)"),
     check_text("1.2", "half_of_nothing", "Something.", 'print("nothing")',
           "assert_close(impl.half(0.0), 0.0)"),
@@ -41,7 +40,7 @@ CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" +
 
 SECOND = exercise_text("2.1", "twice", "Twice x.", "return 2 * x", points=3).lstrip()
 
-SECOND_CHECKS = "from course.checks import assert_close, exercise\n" + check_text(
+SECOND_CHECKS = "from labkit.checks import assert_close, exercise\n" + check_text(
     "2.1", "twice_is_more", "Less.", "x = rng.random()", "assert_close(impl.twice(x), x + x)",
     inputs="impl, rng")
 
@@ -207,7 +206,7 @@ TWICE = '''\
 import os
 from pathlib import Path
 
-from course import board
+from labkit import board
 
 os.environ["PYTEST_ADDOPTS"] = "--collect-only"
 lab = Path("labs/rasterization.py")

@@ -7,8 +7,8 @@ import json
 import pytest
 from submitted import put
 
-from course import exercises
-from course.lab_text import skeleton
+from labkit import exercises
+from labkit.lab_text import skeleton
 
 EXERCISES = {exercise.number: (topic, exercise.name)
              for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}

@@ -3,7 +3,7 @@ import shutil
 
 import pytest
 
-from course.grading.apart import cgroups
+from labkit.grading.apart import cgroups
 
 
 @pytest.fixture

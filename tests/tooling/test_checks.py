@@ -11,12 +11,12 @@ import pytest
 from made_up import SPOILT, check_text, exercise_text
 from PIL import Image
 
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
-from course.checks.assertions import assert_refused
-from course.checks.loader import Implementation
-from course.checks.pictures import GAP
-from course.checks.showing import error_text, layout, shown, shown_call, typed
-from course.given import contract, places
+from labkit import contract, places
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
+from labkit.checks.assertions import assert_refused
+from labkit.checks.loader import Implementation
+from labkit.checks.pictures import GAP
+from labkit.checks.showing import error_text, layout, shown, shown_call, typed
 
 
 class Paint(NamedTuple):
@@ -366,7 +366,7 @@ CHECKS = """\
 import numpy as np
 import pytest
 
-from course.checks import assert_close, exercise
+from labkit.checks import assert_close, exercise
 """ + "".join((
     check_text("1.2", "half_of_one", "Division by zero.\n\n    More about it.\n    ",
                "assert_close(impl.half(1.0), 0.5)"),
@@ -604,7 +604,7 @@ def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run
     for _, *sentences in UNUSABLE.values():
         for sentence in sentences:
             assert sentence in done.stdout
-    assert "course/checks/" not in done.stdout
+    assert "labkit/checks/" not in done.stdout
 
 
 def test_any_folder_with_a_topics_file_can_be_checked(course, run_here, tmp_path):
@@ -631,7 +631,7 @@ def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, 
         check_text("1.1", name, "It is not.", f"assert_close(impl.wait({n}), 0)", "time.sleep(0.5)")
         for name, n in (("it_is_short", 0), ("it_ends", 1), ("it_ends_again", 1)))
     root = house({"labs/transforms.py": lab.lstrip(), "tests/labs/test_transforms.py":
-                  f"import time\n\nfrom course.checks import assert_close, exercise\n{checks}"})
+                  f"import time\n\nfrom labkit.checks import assert_close, exercise\n{checks}"})
     monkeypatch.setattr(loader, "SECONDS", 0.3)
     done = run_here(root, "course", "check", "1.1")
     assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout

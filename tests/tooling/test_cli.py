@@ -9,7 +9,7 @@ import pytest
 from submitted import put as put_files
 
 from course import cli, commands
-from course.grading.request import Request
+from labkit.grading.request import Request
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner
 from submitted import put
 
-from course.grading import autograder
+from labkit.grading import autograder
 
 ROOT = Path(__file__).parents[2]
 FILES = ROOT / "course" / "grading" / "files"

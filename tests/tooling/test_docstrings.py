@@ -4,7 +4,7 @@ import importlib
 
 import pytest
 
-from course import exercises
+from labkit import exercises
 
 MODULES = [f"reference.{topic}" for topic in exercises.topics()]
 

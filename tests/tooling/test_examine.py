@@ -9,11 +9,10 @@ import pytest
 from other_forms import in_other_forms
 from submitted import other_solution
 
-from course import exercises
-from course.given import contract, places
-from course.grading.apart import answers, examination, sandbox, wire
-from course.grading.apart.examine import examine
-from course.grading.apart.jobs import Job
+from labkit import contract, exercises, places
+from labkit.grading.apart import answers, examination, sandbox, wire
+from labkit.grading.apart.examine import examine
+from labkit.grading.apart.jobs import Job
 
 LABS = range(1, len(exercises.LABS) + 1)
 LEVEL, _ = sandbox.available()
@@ -129,8 +128,8 @@ def test_graders_take_numbers_in_every_form(topic):
 
 
 @pytest.mark.parametrize(("busy", "sentence"), [
-    ("course.checks.hints.fingerprint", "what was returned cannot be reported"),
-    ("course.checks.assertions.distances", "takes the grader more than")])
+    ("labkit.checks.hints.fingerprint", "what was returned cannot be reported"),
+    ("labkit.checks.assertions.distances", "takes the grader more than")])
 def test_what_is_returned_may_not_keep_the_grader_busy(busy, sentence, monkeypatch):
     """Values that are slow to compare or to report hold everybody up, outside of all limits. Or
     the error ends the examination, and other exercises lose their points.
@@ -140,7 +139,7 @@ def test_what_is_returned_may_not_keep_the_grader_busy(busy, sentence, monkeypat
             pass
 
     monkeypatch.setattr(busy, spin)
-    monkeypatch.setattr("course.checks.alarm.OURS", 0.5)
+    monkeypatch.setattr("labkit.checks.alarm.OURS", 0.5)
     text = exercises.read(exercises.reference("transforms"))
     wrong = text.replace("return clip[..., :3] / clip[..., 3:]", "return clip[..., :3]")
     result = examine(Job({"transforms": wrong}, {}, "process"))

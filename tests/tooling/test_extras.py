@@ -17,7 +17,7 @@ ROUGH = REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)")  # but for 
 OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
     "    # a comment of the answer\n    return x / 2",
     '    raise NotImplementedError("exercise 1.2: half")')
-CHECKS = "from course.checks import assert_close, exercise\n" + "".join((
+CHECKS = "from labkit.checks import assert_close, exercise\n" + "".join((
     check_text("1.1", "nothing_stays_nothing", "Something.", "assert_close(impl.double(0.0), 0.0)",
                fine_print=True),
     check_text("1.1", "twice", "Once.", "assert_close(impl.double(1.0), 2.0)"),

@@ -10,8 +10,9 @@ import pytest
 from PIL import Image
 
 from course.given import gradcheck as module
-from course.given import places, sweeps
+from course.given import sweeps
 from course.given.gradcheck import GradientMismatch, GradReport, gradcheck
+from labkit import places
 
 DRAW = module.draw
 

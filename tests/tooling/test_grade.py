@@ -19,11 +19,11 @@ from small_course import (
 )
 from submitted import put
 
-from course import exercises
-from course.grading import grade
-from course.grading.apart import running, sandbox
-from course.grading.request import Request
-from course.lab_text import skeleton
+from labkit import exercises
+from labkit.grading import grade
+from labkit.grading.apart import running, sandbox
+from labkit.grading.request import Request
+from labkit.lab_text import skeleton
 
 FINE_PRINT = '''\
 @exercise("1.1", fine_print=True)
@@ -274,7 +274,7 @@ def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     assert done.returncode == 0, done.stderr
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         archive.extractall(tmp_path / "source")
-    for name in ("setup.sh", "requirements.txt", "course/grading/files/gradescope.Dockerfile"):
+    for name in ("setup.sh", "requirements.txt", "labkit/grading/files/gradescope.Dockerfile"):
         assert (tmp_path / "source" / name).exists()
     put(tmp_path / "submission", {"transforms.py": LAB.replace("2 * x", "3 * x")})
     (tmp_path / "results").mkdir()

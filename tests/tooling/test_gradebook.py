@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from graded import check, entry, exercise, record, result, submission
 
-from course.grading.gradebook import earlier, lateness, overrides, rosters, tables, worth
-from course.grading.gradebook.book import Gradebook
-from course.grading.gradebook.sheets import written
-from course.grading.pages import report
-from course.grading.request import Request
-from course.grading.results import Results, Run
+from labkit.grading.gradebook import earlier, lateness, overrides, rosters, tables, worth
+from labkit.grading.gradebook.book import Gradebook
+from labkit.grading.gradebook.sheets import written
+from labkit.grading.pages import report
+from labkit.grading.request import Request
+from labkit.grading.results import Results, Run
 
 ROSTERS = Path(__file__).with_name("rosters")
 DUE = "2026-11-22T23:59+01:00"

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from course import board, exercises, lab_text
-from course.grading.handing import handout
+from labkit import board, exercises, lab_text
+from labkit.grading.handing import handout
 
 PROBES = Path(__file__).with_name("texts")
 LEAST = 30  # characters of a line that somebody could copy

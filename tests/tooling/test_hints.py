@@ -6,13 +6,12 @@ import textwrap
 import numpy as np
 import pytest
 
-from course import exercises
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture, hints
-from course.checks.report import Check
-from course.checks.retries import mistakes, mixed_up
-from course.checks.runner import explained, run_checks
-from course.given import places
-from course.given.suspicions import Suspicion, suspicion
+from labkit import exercises, places
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, hints
+from labkit.checks.report import Check
+from labkit.checks.retries import mistakes, mixed_up
+from labkit.checks.runner import explained, run_checks
+from labkit.suspicions import Suspicion, suspicion
 
 CORNER = np.array([[1.0, 2.0, 4.0], [-3.0, 5.0, 9.0]])
 FOUR, SIX = np.tile(CORNER, (2, 1)), np.tile(CORNER, (3, 1))
@@ -27,7 +26,7 @@ FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
 
 @pytest.fixture(autouse=True)
 def no_pictures(monkeypatch, tmp_path):
-    monkeypatch.setattr("course.given.places.check_picture", lambda name: tmp_path / f"{name}.png")
+    monkeypatch.setattr("labkit.places.check_picture", lambda name: tmp_path / f"{name}.png")
 
 
 def told(assertion, got, expected, *inputs):

@@ -18,7 +18,7 @@ import pytest
 from small_course import LAB, first_lab, grade_command, grades, hand_in
 from submitted import put, zipped
 
-from course.grading.apart import levels, sandbox
+from labkit.grading.apart import levels, sandbox
 
 HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.

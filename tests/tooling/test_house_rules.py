@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from course import exercises
-from course.upkeep import weight
+from labkit import exercises
+from labkit.upkeep import weight
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = "reference", "course", "apps"

@@ -4,8 +4,8 @@ import json
 import numpy as np
 import pytest
 
-from course import exercises
-from course.lab_text import skeleton
+from labkit import exercises
+from labkit.lab_text import skeleton
 from reference import pipeline
 
 

@@ -14,7 +14,7 @@ from nbclient import NotebookClient
 from PIL import Image, ImageSequence
 
 from course.given import lecture
-from course.upkeep.notebooks import KERNEL_ENVIRONMENT, ThisInterpreter
+from labkit.upkeep.notebooks import KERNEL_ENVIRONMENT, ThisInterpreter
 
 OUTLINES = exercise_text("8.4", "width", "How wide is it?", "return x / 2", points=2)
 RASTERIZATION = exercise_text("2.1", "edge", "On which side is it?",

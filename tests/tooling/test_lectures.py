@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from course import exercises
-from course.given.places import ROOT
-from course.upkeep import errata, hours, notebooks
+from labkit import exercises
+from labkit.places import ROOT
+from labkit.upkeep import errata, hours, notebooks
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own

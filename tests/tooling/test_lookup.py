@@ -5,11 +5,11 @@ import types
 
 import pytest
 
-from course import exercises, verdicts
-from course.checks import loader, retries, runner
-from course.checks.report import is_fine_print
 from course.given import compiled
-from course.grading.apart import wire
+from labkit import exercises, verdicts
+from labkit.checks import loader, retries, runner
+from labkit.checks.report import is_fine_print
+from labkit.grading.apart import wire
 
 TABLES = {"15.10": "of four truth values there are 16, and the table of their answers is right"}
 TOPICS = {topic: exercises.topic_exercises(topic) for topic in exercises.asking_topics()}

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from course.given import places
+from labkit import places
 
 FREED = """
 import numpy as np

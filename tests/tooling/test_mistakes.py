@@ -9,12 +9,11 @@ import pytest
 from made_up import check_text, exercise_text
 from submitted import put
 
-from course import exercises
-from course.checks import hints
-from course.checks.hints import fingerprint
-from course.given import places
-from course.upkeep import changes, mistakes
-from course.upkeep.trials import Trial, caught_by
+from labkit import exercises, places
+from labkit.checks import hints
+from labkit.checks.hints import fingerprint
+from labkit.upkeep import changes, mistakes
+from labkit.upkeep.trials import Trial, caught_by
 
 TOPICS = exercises.asking_topics()
 MISREAD = 0.05  # of the hints another machine's rounding may spoil
@@ -107,7 +106,7 @@ def test_other_numbers_have_another(one, other):
 
 
 DOUBLE = exercise_text("1.1", "double", "2 x.", "return 2 * x").lstrip()
-HEAD = "import numpy as np\n\nfrom course.checks import assert_close, exercise\n"
+HEAD = "import numpy as np\n\nfrom labkit.checks import assert_close, exercise\n"
 NOTHING = "nothing", "Something.", "assert_close(impl.double(0.0), 0.0)"
 DOUBLE_CHECKS = HEAD + "".join((
     check_text("1.1", "two", "Three.",

@@ -5,8 +5,8 @@ import pytest
 from made_up import check_text, exercise_text
 from submitted import put
 
-from course.given import places
-from course.upkeep import mutants, mutations
+from labkit import places
+from labkit.upkeep import mutants, mutations
 
 FUNCTION = '''\
 def f(x, y, n):
@@ -84,7 +84,7 @@ REFERENCE = "import itertools\n" + "".join((
                   "        return k", points=2, inputs="n"),
     exercise_text("1.3", "unseen", "x, or nothing below 0.", "return x if x > 0 else 0.0")))
 
-CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" + "".join((
+CHECKS = "import pytest\n\nfrom labkit.checks import assert_close, exercise\n" + "".join((
     '\n\n@pytest.fixture(scope="module")\ndef two():\n    return 2.0\n',
     check_text("1.1", "twice", "Once.", "assert_close(impl.double(x), two * x)",
                inputs="impl, two, x", marks=['@pytest.mark.parametrize("x", [0.0, 1.0])']),

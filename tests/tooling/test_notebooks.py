@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from course import exercises
-from course.given.places import ROOT
-from course.upkeep import notebooks, outcomes, pictures
+from labkit import exercises
+from labkit.places import ROOT
+from labkit.upkeep import notebooks, outcomes, pictures
 
 LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
 LINE_LIMIT = 88                                    # letters of a line of code

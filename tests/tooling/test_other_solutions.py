@@ -13,9 +13,8 @@ import pytest
 from other_forms import in_other_forms
 from submitted import CORE, FOLDER
 
-from course import exercises
-from course.given import places
-from course.grading.handing import handout
+from labkit import exercises, places
+from labkit.grading.handing import handout
 
 
 def answers(path):

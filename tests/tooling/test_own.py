@@ -9,11 +9,11 @@ import pytest
 import trimesh
 from PIL import Image
 
-from course import exercises
-from course.checks import assert_close
-from course.given import image, mesh, mesh_files, places
+from course.given import image, mesh, mesh_files
 from course.given.whose import Labs, Lacking
 from course.scenes import demo, levels, own
+from labkit import exercises, places
+from labkit.checks import assert_close
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 2 0\n"
 

@@ -6,10 +6,10 @@ import pytest
 from small_course import LAB, first_lab, grade_command, grades
 from submitted import put, zipped
 
-from course import exercises, imports
-from course.given import places, whose
-from course.grading.apart import sandbox
-from course.grading.handing import contents, submissions
+from course.given import whose
+from labkit import exercises, imports, places
+from labkit.grading.apart import sandbox
+from labkit.grading.handing import contents, submissions
 
 TWICE = "def twice(x):\n    return 2 * x\n"
 

@@ -7,9 +7,9 @@ import pytest
 from graded import check, entry, exercise, record, result, submission
 from submitted import put
 
-from course.grading.gradebook import handback
-from course.grading.handing import platforms
-from course.grading.pages import overview, report
+from labkit.grading.gradebook import handback
+from labkit.grading.handing import platforms
+from labkit.grading.pages import overview, report
 
 COLUMNS = [exercise("1.1", "double", 1), exercise("1.2", "halve", 2)]
 CLAIMS = {"1.1": ("It is twice as much",), "1.2": ("It is half", "Zero stays")}

@@ -7,12 +7,12 @@ import pytest
 from graded import entry, exercise, record, result, submission
 from submitted import put
 
-from course.grading.apart import typed_json
-from course.grading.gradebook import earlier, people
-from course.grading.gradebook.book import Gradebook
-from course.grading.gradebook.lateness import moment
-from course.grading.gradebook.worth import after_lateness
-from course.grading.request import Request
+from labkit.grading.apart import typed_json
+from labkit.grading.gradebook import earlier, people
+from labkit.grading.gradebook.book import Gradebook
+from labkit.grading.gradebook.lateness import moment
+from labkit.grading.gradebook.worth import after_lateness
+from labkit.grading.request import Request
 
 CANVAS = Path(__file__).parent / "rosters" / "canvas.csv"
 LAB = exercise("2.1", "edge", 10)

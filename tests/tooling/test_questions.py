@@ -4,9 +4,8 @@ import re
 
 import numpy as np
 
-from course import exercises
-from course.given import places
-from course.upkeep import changes, hours, mistakes
+from labkit import exercises, places
+from labkit.upkeep import changes, hours, mistakes
 
 
 def words(text):

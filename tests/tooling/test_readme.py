@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
-from course import exercises
-from course.given import image, places
-from course.upkeep import hours
+from course.given import image
+from labkit import exercises, places
+from labkit.upkeep import hours
 
 TEXT = (places.ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
@@ -35,7 +35,7 @@ def test_it_is_read_in_a_minute_or_two():
 
 @pytest.mark.parametrize("page", hours.PRINTED, ids=lambda page: page.name)
 def test_hours_are_those_of_points_and_lectures(page):
-    """An exercise has become an extra, or a lecture longer: python3 -m course.upkeep.hours."""
+    """An exercise has become an extra, or a lecture longer: python3 -m labkit.upkeep.hours."""
     text = page.read_text(encoding="utf-8")
     assert "exercises, about" in text
     now, right = text.splitlines(), hours.updated(text).splitlines()

@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from course.grading.grade import own_seed
-from course.grading.request import Request, recalled, remember
+from labkit.grading.grade import own_seed
+from labkit.grading.request import Request, recalled, remember
 
 
 @pytest.fixture

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import pytest
 
-from course.given import places
+from labkit import places
 
 ROOT = Path(__file__).parents[2]
 ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folder b of a,
@@ -97,7 +97,7 @@ def imports(name, modules):
 
 
 def room(name, modules):
-    """course.checks.report -> checks, course.board -> board, reference.msaa -> reference."""
+    """labkit.checks.report -> checks, labkit.board -> board, reference.msaa -> reference."""
     if modules[name].of_both == "fast":
         return "fast"
     folder = name if modules[name].is_folder else name.rpartition(".")[0]
@@ -146,7 +146,7 @@ def wrong_signs(modules):
 
 
 def name_in(folder, module, modules):
-    """What stands in a folder for a module: checks, in course, for course.checks.report."""
+    """What stands in a folder for a module: checks, in course, for labkit.checks.report."""
     if module in modules and modules[module].of_both:
         module = f"course.{modules[module].of_both}.{module.partition('.')[2]}"
     below = module.removeprefix(f"{folder}.")
@@ -171,7 +171,7 @@ def test_imports_go_one_way():
 
 @pytest.mark.parametrize(("module", "line", "imported"), [
     ("course.given.inputs", "from reference import msaa", "reference.msaa"),
-    ("course.given.inputs", "from .. import exercises", "course.exercises"),
+    ("course.given.inputs", "from .. import exercises", "labkit.exercises"),
     ("reference.msaa", "from course.scenes import demo",
      "course.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
@@ -181,14 +181,14 @@ def test_imports_go_one_way():
      "reference.msaa"),
     ("course.scenes.demo", "from apps.reconstruct import hulls", "apps.reconstruct.hulls"),
     ("apps.reconstruct.hulls", "from ..bridge import tensors", "apps.bridge.tensors"),
-    ("course.checks.loader", "import reference.msaa", "reference.msaa"),
-    ("course.checks.showing", "from .report import claim", ""),
-    ("course.board", "from .grading.pages.report import page", "course.grading.pages.report"),
-    ("course.grading.apart.wire", "def late():\n    import reference.msaa as module",
+    ("labkit.checks.loader", "import reference.msaa", "reference.msaa"),
+    ("labkit.checks.showing", "from .report import claim", ""),
+    ("labkit.board", "from .grading.pages.report import page", "labkit.grading.pages.report"),
+    ("labkit.grading.apart.wire", "def late():\n    import reference.msaa as module",
      "reference.msaa"),
-    ("course.grading.apart.wire", "from ..grade import run", "course.grading.grade"),
-    ("course.grading.gradebook.worth", "from ..pages import report", "course.grading.pages.report"),
-    ("course.grading.handing.pack", "from ... import cli", "course.cli")])
+    ("labkit.grading.apart.wire", "from ..grade import run", "labkit.grading.grade"),
+    ("labkit.grading.gradebook.worth", "from ..pages import report", "labkit.grading.pages.report"),
+    ("labkit.grading.handing.pack", "from ... import cli", "course.cli")])
 def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     """The test above passes, whatever is imported."""
     modules = modules_there()
@@ -199,7 +199,7 @@ def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
 
 LOADED = """
 import ast, importlib, sys
-from course import exercises
+from labkit import exercises
 from course.given import places
 from course.scenes import demo
 for path in places.ROOT.glob("notebooks/*.ipynb"):
@@ -233,12 +233,12 @@ def test_every_room_has_its_sign():
 
 
 @pytest.mark.parametrize(("old", "new", "sentence"), [
-    ("    retries ", "    retrials ", "the sign of course.checks lacks retries"),
-    ("    retries ", "    retrials ", "the sign of course.checks invents retrials"),
+    ("    retries ", "    retrials ", "the sign of labkit.checks lacks retries"),
+    ("    retries ", "    retrials ", "the sign of labkit.checks invents retrials"),
     ("    showing  ", "    report  above\n    showing  ",
-     "the sign of course.checks has report above showing, which it imports")])
+     "the sign of labkit.checks has report above showing, which it imports")])
 def test_a_wrong_sign_is_found(old, new, sentence):
     """The test above passes, whatever the signs say."""
     modules = modules_there()
-    modules["course.checks"] = Module(modules["course.checks"].text.replace(old, new), True)
+    modules["labkit.checks"] = Module(modules["labkit.checks"].text.replace(old, new), True)
     assert sentence in wrong_signs(modules)

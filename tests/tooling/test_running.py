@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
 
-from course.given import places
+from labkit import places
 
 ENDLESS = LAB.replace("return x / 2, x > 0", "while True: x")
 
@@ -54,7 +54,7 @@ def test_a_step_of_a_check_that_takes_minutes_is_ended(house, run_module, tmp_pa
     alarm = (places.ROOT / "course" / "checks" / "alarm.py").read_text("utf-8")
     course = house(first_lab(checks=CHECKS.replace(
         "impl.double(x), expected", "(y := impl.double(x)) @ y.T, 4 * x @ x")) | {
-            "course/checks/alarm.py": alarm.replace("OURS = 20.0", "OURS = 0.5")})
+            "labkit/checks/alarm.py": alarm.replace("OURS = 20.0", "OURS = 0.5")})
     hand_in(tmp_path, ada=LAB, bob="import numpy as np\n" + LAB.replace(
         "2 * x", "np.zeros((50_000, 320), bool)"))
     done = run_module(course, *grade_command(tmp_path), seconds=60)

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from course.grading.apart import examination, levels, sandbox, wire
-from course.grading.apart.processes import Use, family
+from labkit.grading.apart import examination, levels, sandbox, wire
+from labkit.grading.apart.processes import Use, family
 
 GREEDY = '''
 import os

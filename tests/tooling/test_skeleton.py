@@ -6,9 +6,8 @@ import subprocess
 import pytest
 from submitted import put
 
-from course import exercises, lab_text
-from course.given import places
-from course.upkeep import skeleton
+from labkit import exercises, lab_text, places
+from labkit.upkeep import skeleton
 
 MODULE = '''\
 """Made up.   """

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course import board, exercises
 from course.given.whose import Labs
-from course.grading.handing import handout
 from course.scenes import by_loops, drawing, fit_bunny, viewing
-from course.upkeep import hours
+from labkit import board, exercises
+from labkit.grading.handing import handout
+from labkit.upkeep import hours
 
 
 def spine():

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from submitted import put, zipped
 
-from course import imports
-from course.grading.handing import archives, contents, submissions
+from labkit import imports
+from labkit.grading.handing import archives, contents, submissions
 
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
@@ -323,7 +323,7 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     ("try:\n    import tqdm\nexcept ImportError:\n    pass", [(2, "tqdm", False)]),
     ("def f():\n    from course.given import gradcheck, mesh",
      [(2, "course.given.gradcheck", False)]),
-    ("from course import checks", [(1, "course.checks", True)]),
+    ("from labkit import checks", [(1, "labkit.checks", True)]),
     ("from . import sampling, transforms", [(1, "labs.sampling", True)])])
 def test_imports_that_a_worker_does_not_have(line, found, tmp_path):
     """A student learns only from the mark that torch is not there."""

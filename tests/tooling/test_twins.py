@@ -14,10 +14,9 @@ import numpy as np
 import pytest
 from submitted import CORE
 
-from course import exercises
-from course.checks import loader
-from course.given import contract
-from course.verdicts import run
+from labkit import contract, exercises
+from labkit.checks import loader
+from labkit.verdicts import run
 
 EACH = [(topic, exercise) for topic, asked in CORE.items() for exercise in asked]
 CHANCE = {  # the same number for the example's input, by another rule

@@ -9,9 +9,9 @@ import pytest
 from graded import submission
 from submitted import CORE, other_solution, put
 
-from course import exercises
-from course.grading.handing import texts
-from course.grading.pages import overview, unusual
+from labkit import exercises
+from labkit.grading.handing import texts
+from labkit.grading.pages import overview, unusual
 
 ANSWER = other_solution("rasterization")
 

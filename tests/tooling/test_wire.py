@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from course.grading.apart import wire
+from labkit.grading.apart import wire
 
 
 class Paint(NamedTuple):

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from course.given import image, inputs, places
+from course.given import image, inputs
+from labkit import places
 
 from .. import tensors
 from ..tensors import array, require

@@ -1,1 +1,1 @@
-pytest_plugins = ["course.checks.plugin"]
+pytest_plugins = ["labkit.checks.plugin"]

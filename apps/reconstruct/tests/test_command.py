@@ -6,10 +6,10 @@ import trimesh
 from PIL import Image
 
 from apps.reconstruct import captures, command, views
-from course import cli
-from course.given import image, places
+from course.given import image
 from course.given.whose import Labs
 from course.scenes import photographs, reconstruct, viewing
+from labkit import cli, places
 from reference import multi_view_fit, reconstruction
 
 LABS = Labs("reference")

@@ -1,6 +1,6 @@
 import numpy as np
 
-from course.checks import assert_close, exercise
+from labkit.checks import assert_close, exercise
 
 
 @exercise("2.1")

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import matplotlib as mpl
 
-from course import cli, exercises
 from course.scenes import demo
+from labkit import cli, exercises
 
 mpl.use("agg")
 

@@ -1,0 +1,285 @@
+"""The progress board, a screen: what is done, what is not, and what to do next."""
+import contextlib
+import functools
+import os
+import re
+import subprocess
+import sys
+import time
+import webbrowser
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+from rich.console import Console
+from rich.table import Table
+
+from . import exercises, places, verdicts
+from .checks import page
+from .checks.loader import folder
+from .checks.report import rerun
+from .checks.showing import layout, plural
+
+BAR = 20  # characters of a whole lab's bar
+MOST_CLAIMS = 3  # shown of the other claims that fail
+LOOK = 0.3  # seconds between two looks at the files that are watched
+STYLES = {"done": "green", "failing": "red"}
+
+
+def check(target: str | None = None, implementation: str = "labs", json_file: str | None = None,
+          seed: int = 0, pictures: bool = False, extra: bool = False,
+          spine: bool = False) -> int:
+    """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
+
+    implementation: labs, reference, or a folder with files like those in labs/.
+    json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
+    extra: extras that are closed are checked as well. spine: its exercises alone are checked.
+    -> 0 if all that was asked for is done, and nothing of it would be lost in grading, else 1.
+    ValueError: there is no such target or folder, or it is an extra that is not open.
+    """
+    found = verdicts.run(target, implementation, seed, extra, spine)
+    Console(force_jupyter=False).print(table(found.asked))
+    print(*below(found, target, implementation, seed, spine), sep="\n")
+    if pictures:
+        open_pictures(found.asked, seed)
+    if json_file:
+        places.write_whole(json_file, verdicts.as_json(found.asked).encode("utf-8"))
+    return int(bool(found.problems or found.losses) or not found.all_is_done)
+
+
+def below(found, target, implementation, seed, spine):
+    """Yield what stands below the table: what was left out or is wrong, and what to do next."""
+    if found.closed and target not in [entry.number for entry in found.asked]:
+        lab = min(int(number.split(".")[0]) for number in found.closed)
+        yield (f"\n{plural(len(found.closed), 'extra')} more, complete as they came; "
+               f"python3 -m course open {lab} empties those of lab {lab}")
+    yield from ("", *found.problems, *found.broken.values(), *found.warnings)
+    if found.all_is_done:
+        yield all_done(found.asked, spine)
+    if not found.broken and any(entry.told != "done" for entry in found.asked):
+        yield next_to_do(found.needed, implementation, seed)
+    yield from found.losses
+
+
+def watch(target: str | None = None, implementation: str = "labs", **options) -> NoReturn:
+    """`check`, and again whenever a file of the code under test is saved. Ends with Ctrl-C.
+
+    While checks run, Ctrl-C stops these alone, as where a loop has no end.
+    """
+    code, seen = folder(implementation), None
+    while True:
+        files = {path: path.stat().st_mtime_ns for path in code.glob("*.py") if path.exists()}
+        if files != seen:
+            Console().clear()
+            try:
+                check(target, implementation, **options)
+            except ValueError as error:
+                if seen is None:  # what was asked for is not there
+                    raise
+                print(error)
+            seen = files
+            print(f"\nWatching {places.shown_path(code)}/; Ctrl-C ends this.", flush=True)
+        time.sleep(LOOK)
+
+
+def show(target: str | None = None, implementation: str = "labs") -> None:
+    """The board of `check`, in a notebook; in a process of its own, so that labs are read anew."""
+    command = [sys.executable, "-m", "course", "check", *filter(None, [target])]
+    plain = {**os.environ, "FORCE_COLOR": "", "COLUMNS": "80", "PYTHONIOENCODING": "utf-8"}
+    try:
+        board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
+    except OSError:  # a browser starts no processes
+        return show_here(target, implementation, plain)
+    print(board.stdout)
+
+
+def show_here(target, implementation, plain):
+    """The board of `check`, made in this process, with other environment variables."""
+    with contextlib.chdir(places.ROOT), pytest.MonkeyPatch.context() as environment:
+        for name, value in plain.items():
+            environment.setenv(name, value)
+        try:
+            check(target, implementation)
+        except ValueError as error:
+            print(f"course: {error}")
+
+
+def table(board):
+    """The exercises on the board, lab by lab. A file that is not the lecture's own has a row."""
+    rows, topic = Table.grid(padding=(0, 2)), None
+    for entry in board:
+        number = exercises.lab_number(entry.topic)
+        own = exercises.LABS[number - 1][0]
+        if topic is None or exercises.lab_number(topic) != number:
+            topic = own
+            rows.add_row(*title_row(number, own, board), style="bold")
+        if entry.topic != topic:
+            topic = entry.topic
+            rows.add_row("", f"{topic}.py", style="dim")
+        worth = "extra" if entry.extra else plural(entry.points, "point")
+        rows.add_row(f"{entry.number:>5}", entry.name, worth, entry.told,
+                     style=STYLES.get(entry.verdict))
+    return rows
+
+
+def title_row(number, topic, board):
+    """A lab, its own topic, its points, and a bar that shows these."""
+    reached, of = verdicts.points([entry for entry in board
+                                   if exercises.lab_number(entry.topic) == number])
+    bar = ("#" * (BAR * reached // max(of, 1))).ljust(BAR, ".")
+    return f"Lab {number}", topic, f"{reached} of {of}", bar
+
+
+def next_to_do(entries, implementation, seed):
+    """The first claim that fails, and why, in the first exercise that can be worked on.
+
+    The fine print comes when there is nothing else to do.
+    """
+    entries = in_lecture_order(entries)
+    undone = [entry for entry in entries if entry.verdict != "done"]
+    ready = [entry for entry in undone if not entry.blocked_by]
+    entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
+    wrong = [check for check in entry.checks if check.verdict != "passed"]
+    wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
+    lines = [headline(entry, wrong)]
+    if not entry.checks:
+        lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
+    if wrong:
+        lines.append(layout([("claim", wrong[0].claim)]))
+    if wrong and entry.verdict != "not started":
+        lines.append(wrong[0].message)
+    return "\n".join([*lines, layout([*also(wrong), *ways_on(entry, implementation, seed)])])
+
+
+def also(wrong):
+    """A row, or none: which other claims fail, where the first one has no hint."""
+    if wrong and not wrong[0].message.startswith("hint"):
+        _, *others = dict.fromkeys(check.claim.partition(" [")[0] for check in wrong
+                                   if check.fine_print == wrong[0].fine_print)
+        more = [f"{len(others) - MOST_CLAIMS} more"] if len(others) > MOST_CLAIMS else []
+        if others and wrong[0].verdict == "failed":
+            yield "fails too", "; ".join([*others[:MOST_CLAIMS], *more])
+
+
+def in_lecture_order(entries):
+    """Lab by lab, in the order in which a lecture reaches its exercises."""
+    topics = {exercises.LABS[exercises.lab_number(entry.topic) - 1] for entry in entries}
+    reached = {number: place for own, *_ in topics
+               for place, number in enumerate(sections(*exercises.pages(own)))}
+
+    def place(entry):
+        lab, rank = map(int, entry.number.split("."))
+        return lab, reached.get(entry.number, len(reached)), rank
+
+    return sorted(entries, key=place)
+
+
+def headline(entry, wrong):
+    """Which exercise is next, and how much of it is wrong."""
+    if entry.verdict == "done":
+        return f"Left: the fine print of {entry.number} {entry.name}"
+    line = f"Next: {entry.number} {entry.name}, {entry.verdict}"
+    if entry.verdict != "failing" or not entry.checks:
+        return line
+    not_run = sum(check.verdict == "not run" for check in entry.checks)
+    line += f" in {len(wrong) - not_run} of {plural(len(entry.checks), 'check')}"
+    return f"{line}, {not_run} not run" if not_run else line
+
+
+def ways_on(entry, implementation, seed):
+    """Rows: what runs the checks again, what to read, and what helps who is stuck."""
+    yield "again", rerun(entry.blocked_by or entry.number, implementation, seed)
+    yield "read", reading(entry, folder(implementation))
+    if entry.verdict != "done" and exercises.reference(entry.topic).exists():
+        solution = f"the solution is in reference/{entry.topic}.py"
+        if entry.verdict == "not started":
+            solution = f"python3 -m course close {entry.number} --core puts it in; {solution}"
+        yield "stuck", solution
+
+
+def reading(entry, code):
+    """Where an exercise's question stands, and its lecture or the page after it."""
+    question = (f"{places.shown_path(code / entry.topic)}.py:{line_of(entry, code)}, "
+                "the docstring is the question")
+    paths = exercises.pages(entry.topic)
+    if not paths:
+        return question
+    path, section = sections(*paths).get(entry.number, (paths[0], None))
+    titled = f", section\n  {section}" if section else ""
+    return f"{question}\n{places.shown_path(path)}{titled}"
+
+
+def line_of(entry, code):
+    """The line of an exercise in the code under test, or else where it came from."""
+    lines = []
+    for path in code / f"{entry.topic}.py", exercises.questions(entry.topic):
+        with contextlib.suppress(OSError, ValueError):
+            functions = exercises.top_level_functions(exercises.read(path))
+            lines += [function.lineno for function in functions if function.name == entry.name]
+    return lines[0] if lines else 1
+
+
+@functools.cache
+def sections(*paths):
+    """{exercise: notebook, and title of the section that leads to it}, in the notebooks' order."""
+    found = {}
+    for path in paths:
+        title = None
+        with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
+            for line in "\n".join(exercises.cells(path)).splitlines():
+                if line.startswith("##"):
+                    title = line.lstrip("# ")
+                for number in numbers_in(line):
+                    found.setdefault(number, (path, title))
+    return found
+
+
+def numbers_in(line):
+    """Yield the numbers in a line that says which exercises a section leads to, as 7.10 to 7.16."""
+    for part in re.findall(r"\*(?:Exercise|Extra)s? \d.*|\((?:`\w+`, )?extra \d[^)]*", line):
+        for lab, first, last in re.findall(r"(\d+)\.(\d+)(?: to (?:\d+\.)?(\d+))?", part):
+            yield from (f"{lab}.{k}" for k in range(int(first), int(last or first) + 1))
+
+
+def open_pictures(board, seed):
+    """Print where the pictures of failed checks are. Open a page with all that failed, if any did.
+
+    Where there is no browser to open it with, its path is all.
+    """
+    paths = {Path(check.picture) for entry in board for check in entry.checks if check.picture}
+    failing = [entry for entry in board if entry.verdict == "failing"]
+    if not failing:
+        return
+    pictures = {path.name: path.read_bytes() for path in paths}
+    file = places.out("checks", "failed.html")
+    parts = [part for entry in failing for part in page.exercise_part(entry, None, pictures, seed)]
+    places.write_whole(file, page.document("What failed", *parts).encode("utf-8"))
+    print("", "Pictures, all of them in the last:",
+          *map(places.shown_path, [*sorted(paths), file]), sep="\n")
+    webbrowser.open(file.as_uri())
+
+
+def all_done(board, spine):
+    """The points, and what comes next: the rest of the lab, or a later one, or the reward."""
+    reached, of = verdicts.points(board)
+    return (f"All that was asked for is done, {reached} of {plural(of, 'point')}. "
+            f"Next: {coming({entry.number for entry in board}, board[-1].topic, spine)}.")
+
+
+def coming(done, topic, spine):
+    """What comes after these exercises, the last of which is of this topic: in its lab, then in
+    those after it, then in those before it.
+    """
+    lab = exercises.lab_number(topic)
+    topics = sorted(exercises.asking_topics(), key=lambda one: exercises.lab_number(one) < lab)
+    left = next((exercises.lab_number(topic) for topic in topics
+                 for one in exercises.topic_exercises(topic) if one.number not in done
+                 and (one.is_spine if spine else not one.is_extra)), None)
+    if left is None:
+        return "python3 -m course demo, your own pictures"
+    if left == lab:
+        return f"python3 -m course check {lab}{' --spine' * spine}, for the rest of the lab"
+    if left > lab:
+        return f"lab {left}, {exercises.LABS[left - 1][0]}"
+    return "python3 -m course check, for the rest"

@@ -1,0 +1,235 @@
+"""Hints: which common mistake explains a wrong answer.
+
+Some are found in the numbers alone: a flipped sign, swapped axes (given/suspicions.py). Some show
+when the answer is tried with inputs exchanged (retries.py). Others are known mistakes of
+tests/mistakes/. What a mistake returned to each check that it fails is kept as a fingerprint. It is
+named only where a student's answer fails the same checks with the same numbers, and no others.
+"""
+import functools
+import hashlib
+import json
+import math
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from ..contract import as_array
+from ..suspicions import ENOUGH, TRUTHS, Suspicion, evidence, suspicion
+from .retries import mixed_up
+from .showing import arguments, shape_name
+
+HINTS = Path(__file__).with_name("hints.json")
+WHOLE = "whole"
+OTHER = "other"         # the fingerprint where inputs are not those of the known mistakes
+MOST = 1 << 18          # numbers that a fingerprint is taken of
+NOTHING = Suspicion("", False)  # explains it: no suspicion
+WHY = r"[,;:] (?![^\[]*\]).*$"  # of a suspicion: a comma in [..., 1] ends nothing
+PLACE = r"( in \[[^\]]*\]| in all that is wrong| where [^,;:]*)"
+
+
+def suspected(compared, call, returned):
+    """The Suspicion that explains all that was compared, NOTHING, or None: nothing can be said.
+
+    compared: of a Mismatch. call: function, args and kwargs of the last call, or None. returned:
+    its result. What a check made of the result shows less surely what is wrong with it.
+    """
+    if not (compared and call):
+        return None
+    got, expected, agrees, picture = compared
+    found, place = suspicion(*compared[:3], arguments(*call), picture), place_in(returned, got)
+    if place is None:
+        sure = found and found.certain
+        return found._replace(certain=is_made_of(got, returned)) if sure else None
+    if place is not WHOLE and evidence(got, expected, agrees) >= ENOUGH and any(
+            is_right(output, compared) for output in returned):
+        return Suspicion("the outputs are in the wrong order", True)
+    if not got.any() and got.dtype.kind != "i":
+        return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
+    found = found or of_inputs(compared, call, place)
+    if found and place is not WHOLE:
+        found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
+    return found or (NOTHING if compared.expected.any() else None)
+
+
+def is_made_of(got, returned):
+    """Are all numbers in got such as were returned? They may be a part, or several outputs."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    return bool(np.isin(got, np.concatenate([np.ravel(output) for output in outputs])).all())
+
+
+def is_right(output, compared):
+    """Is an output what was expected?"""
+    output = as_array(output)
+    return output.shape == compared.expected.shape and np.all(
+        compared.agrees(output, compared.expected))
+
+
+def of_inputs(compared, call, place):
+    """The Suspicion that inputs are mixed up, or None. place: of the output that was compared."""
+    function, args, kwargs = call
+    known = evidence(*compared[:3])
+    if not known or not hasattr(function, "is_repeatable"):
+        return None
+    mistake = mixed_up(function, args, kwargs, lambda result: is_right(
+        result if place is WHOLE else result[place], compared))
+    sure = known >= ENOUGH and compared.expected.dtype.kind == "f" and "exchanged" in str(mistake)
+    return mistake and Suspicion(mistake, sure)
+
+
+def place_in(returned, got):
+    """Which output of what was returned got is: WHOLE, its number, or None."""
+    def is_it(output):
+        return output is got or (np.isscalar(output) and got.ndim == 0 and output == got)
+
+    if not isinstance(returned, tuple):
+        return WHOLE if is_it(returned) else None
+    return next((number for number, output in enumerate(returned) if is_it(output)), None)
+
+
+class Pattern(NamedTuple):
+    """How a wrong answer does in the checks of an exercise.
+
+    failed {check: the fingerprint of what it was returned, or None} of the question, and of the
+    fine print where the question is answered; numbers: so many were returned there.
+    """
+
+    failed: dict
+    numbers: int
+
+
+def pattern(checks):
+    """The Pattern of checks that fail."""
+    counted = [check for check in checks if not check.fine_print] or checks
+    return Pattern({name(check.nodeid): check.mark for check in counted},
+                   sum(check.numbers for check in counted))
+
+
+def known_mistake(exercise, found):
+    """"this is what comes out when ...": the known mistake that has the Pattern found, or None.
+
+    All that it fails is failed, with the same numbers, and nothing else. Fewer than ENOUGH numbers
+    can be the same by chance.
+    """
+    said = [sentence for sentence, failed in known_mistakes().get(exercise, ())
+            if found.numbers and agree(failed, found.failed)]
+    if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
+        return None
+    certain = found.numbers >= ENOUGH and OTHER not in found.failed.values()
+    return f"this {'is' if certain else 'may be'} what comes out when {said[0]}"
+
+
+def agree(known, found):
+    """Do both fail the same checks, with the same numbers where these can be compared?"""
+    return known.keys() == found.keys() and all(
+        came in (known[check], OTHER) for check, came in found.items())
+
+
+def hint(exercise, checks):
+    """The hint that holds for all these Checks, those of an exercise that fail, or None.
+
+    A known mistake explains all of them. A suspicion is certain of one, or else that of several,
+    and no other speaks against it.
+    """
+    found = pattern(checks)
+    if any("changed its input" in check.message for check in checks):
+        return None  # which says it all
+    if known := known_mistake(exercise, found):
+        return known
+    said = [Suspicion(*check.suspected) for check in checks
+            if check.suspected is not None and name(check.nodeid) in found.failed]
+    return told(said, sure=any(one.certain for one in said))
+
+
+def told(said, sure):
+    """The sentence of several Suspicions that say one thing, each of its own numbers, or None.
+
+    Where they say it of several places, or with several factors, it is that of the first.
+    """
+    sentences = [one.sentence for one in said]
+    if not all(sentences) or len({*map(kernel, sentences)}) != 1 or not (sure or len(said) > 1):
+        return None
+    if len({*sentences}) > 1:
+        sentences[0] = common(sentences)
+    return str(Suspicion(sentences[0], sure))
+
+
+def common(sentences):
+    """The first sentence, and of the inputs after its ";" those that the others have, too."""
+    named = [sentence.partition("; ")[2].partition(" is ")[0].split(" or ")
+             for sentence in sentences]
+    shared = " or ".join(name for name in named[0] if all(name in names for names in named))
+    value = sentences[0].rpartition(" is ")[2]
+    return re.sub(WHY, "", sentences[0]) + (f"; {shared} is {value}" if shared else "")
+
+
+def kernel(sentence):
+    """What a suspicion says, without the place, and without how much more or how many times."""
+    return re.sub(rf"^in output \d+ |{PLACE}|[\d.e-]+ (?=times|more|less)|{WHY}", "", sentence)
+
+
+def is_sure(said):
+    """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
+    return "may be" not in said and not re.search(rf"(times what was|more than|less than) expected"
+                                                  rf"({PLACE})?$", said)
+
+
+@functools.cache
+def known_mistakes():
+    """{exercise: [(sentence, its Pattern's failed)]}: labkit/checks/hints.json, see upkeep."""
+    try:
+        return json.loads(HINTS.read_bytes())
+    except OSError:
+        return {}
+
+
+def name(nodeid):
+    """tests/labs/test_x.py::test_y[one] -> test_y[one]: an exercise has all its checks in one file.
+    """
+    return nodeid.split("::", 1)[-1]
+
+
+def short(nodeid):
+    """tests/labs/test_x.py::test_y -> test_x.py::test_y."""
+    return nodeid.rpartition("/")[2]
+
+
+def fingerprint_and_count(nodeid, returned, compared=None):
+    """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was, or too much.
+
+    Or of an array that it made of what was returned: then the rest does not matter, as an order.
+    """
+    if compared and compared.got.size >= ENOUGH and place_in(returned, compared.got) is None:
+        returned = compared.got
+    if returned is None or count(returned) > MOST:
+        return None, 0
+    return fingerprint(nodeid, returned), count(returned)
+
+
+def count(returned):
+    """How many numbers or letters were returned; TRUTHS truth values say as much as one number."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    return sum(count(output) if isinstance(output, tuple) else
+               size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
+               for output in outputs)
+
+
+def size(output):
+    """The numbers in an array. Its rows count as well: without numbers, they are lists still."""
+    return math.prod(max(n, 1) for n in np.shape(output))
+
+
+def fingerprint(nodeid, returned):
+    """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
+    parts = [short(nodeid)]
+    several = isinstance(returned, tuple) or as_array(returned).dtype == object
+    for output in returned if several and np.iterable(returned) else (returned,):
+        array = as_array(output)
+        if array.dtype.kind in "fc":
+            size = np.abs(array[np.isfinite(array)]).max(initial=1e-3)
+            array = np.round(array, int(6 - np.ceil(np.log10(size) - 1e-9))) + 0.0  # no -0
+        kind = "n" if array.dtype.kind in "iufc" else array.dtype.kind
+        numbers = array.astype(complex) if kind == "n" else array
+        parts += [kind, shape_name(array), str(numbers.tolist())]
+    return hashlib.sha256("|".join(parts).encode("utf-8")).hexdigest()[:12]

@@ -1,0 +1,107 @@
+"""From points to grades: who is who on the platform, lateness, points by hand.
+
+All files that an instructor gives are read before anything is graded, so a mistake costs no time.
+"""
+from ... import places
+from . import lateness, overrides, people, rosters, sheets, worth
+from .records import Record
+
+
+class Gradebook:
+    """What is known of a class besides its work."""
+
+    def __init__(self, asked, handed_in, columns, persons=()):
+        """asked: the Request. columns: the exercises that count. persons: the lines of people.csv.
+
+        ValueError: something that was given is wrong.
+        """
+        if (asked.csv is None) != (asked.roster is None) or (asked.assignment and not asked.csv):
+            raise ValueError("--csv PLATFORM and --roster FILE belong together, and --assignment "
+                             "to both: the import file is made from the platform's own export")
+        self.of = sum(exercise.points for exercise in columns)
+        self.policy = lateness.policy(asked.due, asked.late, asked.grace)
+        self.by_hand = {} if asked.overrides is None else overrides.read(
+            asked.overrides, people.names(handed_in), columns)
+        self.persons, self.due = persons, people.due_times(handed_in, persons)
+        self.roster, self.rows, self.unmatched = None, {}, {}
+        if asked.csv:
+            self.roster = rosters.read(asked.roster, asked.csv, asked.assignment)
+            self.rows, self.unmatched = rosters.match(self.roster, handed_in)
+        self.handed_in = {one.student: one for one in handed_in}
+
+    def entered(self, record: Record) -> Record:
+        """The record, with what is known of its student besides the work, and without the texts."""
+        one = self.handed_in[record.work.student]
+        when = self.when(one)
+        policy = self.policy._replace(due=self.due.get(one.student, self.policy.due))
+        return record._replace(work=one._replace(texts={}, missing={}, handed_in=when),
+                               lateness=lateness.judged(policy, when, one.late),
+                               overrides=self.by_hand.get(one.student, {}))
+
+    def when(self, one):
+        """Seconds since 1970. Moodle tells them in its worksheet only."""
+        text = self.moodle_says(one)
+        return lateness.moodle_time(text, self.policy.zone) if text else one.handed_in
+
+    def moodle_says(self, one):
+        """When it was handed in, as Moodle's worksheet has it, or an empty text."""
+        if (one.student not in self.rows or self.roster.platform != "moodle"
+                or one.identity.platform not in ("moodle", "people")):
+            return ""
+        return rosters.cell(self.roster, self.rows[one.student],
+                            "Last modified (submission)").strip("-")
+
+    # --- what an instructor is told, before and after
+
+    def said(self) -> list[str]:
+        """Sentences on what does not fit together."""
+        lines = []
+        if self.roster:
+            title = self.roster.sheet.header[self.roster.column]
+            lines.append(f"{len(self.rows)} of {len(self.handed_in)} submissions are matched with "
+                         f"{self.roster.path}; their points go to the column {title!r}")
+            lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
+            lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
+                      self.rows.items() if (word := rosters.kept_word(self.roster, row))]
+            if absent := self.absent():
+                lines.append(f"in the roster without a submission ({len(absent)}): "
+                             f"{'; '.join(absent.values())}")
+            most = rosters.most(self.roster)
+            if most not in (None, self.of):
+                lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
+                             f"out of {self.of} here: make it {self.of} there before you import")
+        return lines + self.said_of_times() + people.said(self.handed_in.values(), self.persons)
+
+    def said_of_times(self):
+        unread = {one.student: text for one in self.handed_in.values()
+                  if (text := self.moodle_says(one)) and self.when(one) is None}
+        late = [one.student for one in self.handed_in.values()
+                if one.late and self.when(one) is None
+                and "late" not in self.by_hand.get(one.student, {})]
+        lines = [f"{name}: Moodle's time {text!r} cannot be read: download the worksheet with "
+                 "Moodle's language set to English" for name, text in unread.items()]
+        return lines + [f"{name} is {lateness.NOT_TOLD}. Nothing is taken off, but by a line of "
+                        f"--overrides: {name},late,POINTS,REASON" for name in late]
+
+    def absent(self):
+        """{row: name} of the people in the roster without a submission that is theirs."""
+        there = set(self.rows.values())
+        return {row: name for row, name in rosters.people(self.roster).items() if row not in there}
+
+    def write(self, out, records) -> list:
+        """Write the platform's file, and which marks it replaces there -> the paths.
+
+        records {student: record}.
+        """
+        if not self.roster:
+            return []
+        points = {row: sheets.number_text(worth.after_lateness(records[student]))
+                  for student, row in self.rows.items() if worth.is_graded(records[student])}
+        replaced = [("name", "in the roster", "now"),
+                    *(map(sheets.plain, row) for row in rosters.replaced(self.roster, points))]
+        files = {f"for-{self.roster.platform}.csv": rosters.filled(self.roster, points),
+                 "replaced.csv": sheets.written(replaced)}
+        for name, content in files.items():
+            places.write_whole(out / name, content)
+        return [out / name for name in files]
+

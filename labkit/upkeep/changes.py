@@ -1,0 +1,273 @@
+"""Changes: a wrong function, written as what is different from the right one.
+
+    8.2  (wing < 0) == (face < 0) -> (wing < 0) != (face < 0)
+          The test is reversed.
+
+    8.2  turned = side[i] * side[j] -> turned = side[i]
+    and  face, wing = (area(i, j, p) * turned for p in (own, across))
+    ->   face, wing = (area(i, j, p) for p in (own, across))
+          Two changes that together make one mistake. A long one goes on below, after the arrow.
+
+    6.5  look_up(texels, index, weight) -> texels[index].sum(1)
+          The whole function, with all its parameters, and what it returns instead.
+
+On both sides of the arrow stands an expression, or one or more statements ("a = 1; b = 2").
+"pass" on the right takes a statement away, and what stands there twice adds one. Where the left
+side is in the function more than once, "(#2)" at the end takes the second place.
+
+All is matched on syntax trees, so that spaces and line ends do not matter. A variable of the
+function may be called otherwise since: see `names_now`.
+"""
+import ast
+import builtins
+import copy
+import functools
+import itertools
+import re
+from typing import NamedTuple
+
+from .. import exercises, places
+
+PLACE = re.compile(r"(.*?)(?: \(#(\d+)\))?")
+NAME = {ast.Name: "id", ast.arg: "arg", ast.FunctionDef: "name"}  # the field with its name
+
+
+class Entry(NamedTuple):
+    """What a list says: where, of which exercise, the changes, and the words below them."""
+
+    place: str
+    number: str
+    changes: tuple
+    said: str
+
+
+class Change(NamedTuple):
+    """old -> new (#which): lists of statements. which: 0 is the only place."""
+
+    text: str
+    old: list
+    new: list
+    which: int
+
+
+def entries(path):
+    """The Entries of a list, tests/mistakes/<topic>.txt or one like it. [] if there is none.
+
+    Lines before the first entry, and those that begin with #, are not read.
+    """
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    found = []
+    for count, line in enumerate(text.splitlines(), 1):
+        head, _, rest = line.partition(" ")
+        if head[:1].isdigit():
+            found.append(Entry(f"{places.shown_path(path)}, line {count}", head,
+                               (rest.strip(),), ""))
+        elif found and line.strip() and not line.startswith("#"):
+            found[-1] = with_line(found[-1], head, rest.strip())
+    return found
+
+
+def with_line(entry, head, rest):
+    """An Entry with one more line. ValueError: the line is neither a change nor indented words."""
+    if head == "and":
+        return entry._replace(changes=(*entry.changes, rest))
+    if head == "->":
+        *before, last = entry.changes
+        return entry._replace(changes=(*before, f"{last} -> {rest}"))
+    if head:
+        raise ValueError(f'{entry.place}: "{head} {rest}" below it is no line of a list; begin it '
+                         'with "and" or "->", or indent it if it says what is wrong')
+    return entry._replace(said=f"{entry.said} {rest}".strip())
+
+
+def change(text):
+    """The Change that a text writes. ValueError: it is none."""
+    try:
+        (old, new), which = PLACE.fullmatch(text)[1].split(" -> "), PLACE.fullmatch(text)[2]
+        return Change(text, ast.parse(old).body, ast.parse(new).body, int(which or 0))
+    except (SyntaxError, ValueError):
+        raise ValueError(f'"{text}" is no change; write "old -> new", each of them an expression '
+                         "or statements of Python") from None
+
+
+def found_at(function, wanted):
+    """Where a Change's left side stands in a function: [[node, ...]], in the order of the text."""
+    old, nodes = wanted.old, list(ast.walk(function))
+    if is_whole(old, function):
+        return [function.body]
+    if is_expression(old) and is_expression(wanted.new):
+        groups = [[node] for node in nodes if same(node, old[0].value)]
+    else:
+        blocks = [value for node in nodes for _, value in ast.iter_fields(node)
+                  if isinstance(value, list)]
+        windows = [block[k:k + len(old)] for block in blocks for k in range(len(block))]
+        groups = [window for window in windows if same(window, old)]
+    return sorted(groups, key=lambda group: (group[0].lineno, group[0].col_offset))
+
+
+def is_whole(old, function):
+    """Is this the function itself, with its parameters? Its body is changed then."""
+    parameters = ", ".join(parameter.arg for parameter in function.args.args)
+    return same(old, ast.parse(f"{function.name}({parameters})").body)
+
+
+def is_expression(statements):
+    return len(statements) == 1 and isinstance(statements[0], ast.Expr)
+
+
+def same(one, other):
+    """Are these the same code? Nodes, or lists of them, or what stands in them."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(same, one, other))
+    if isinstance(one, ast.AST):
+        return all(same(getattr(one, field), getattr(other, field))
+                   for field in one._fields if field != "ctx")
+    return one == other
+
+
+class Changed(ast.NodeTransformer):
+    """Puts others[node] in the place of a node."""
+
+    def __init__(self, others):
+        self.others = others
+
+    def visit(self, node):
+        return self.others.pop(node) if node in self.others else self.generic_visit(node)
+
+
+def changed(function, wanted):
+    """The text of a function's node, without its docstring, with Changes made.
+
+    ValueError: the left side of one stands nowhere, or in several places.
+    """
+    tree, others = copy.deepcopy(function), {}
+    tree.body = tree.body[1:]
+    for one in wanted:
+        nodes, new = the_place(tree, one), one.new
+        if nodes is tree.body and is_expression(new):
+            new = [ast.Return(new[0].value)]
+        elif isinstance(nodes[0], ast.expr):
+            new = new[0].value
+        others |= {nodes[0]: new} | dict.fromkeys(nodes[1:])
+    changer = Changed(others)
+    text = ast.unparse(changer.visit(tree))
+    if changer.others:
+        raise ValueError(f'"{wanted[-1].text}" lies in what another change takes away; '
+                         "make them one")
+    return text
+
+
+def the_place(function, wanted):
+    """The nodes that a Change means. ValueError: there are none, or too many."""
+    found = found_at(function, wanted)
+    sought = f'"{ast.unparse(ast.Module(wanted.old, []))}" stands'
+    if len(found) < max(1, wanted.which):
+        place = f"in less than {wanted.which} places" if wanted.which > 1 else "nowhere"
+        raise ValueError(f"{sought} {place} in {function.name}; write what is there")
+    if len(found) > 1 and not wanted.which:
+        raise ValueError(f"{sought} in {len(found)} places in {function.name}; end the line with "
+                         "(#1) for the first, or write more of it")
+    return found[max(0, wanted.which - 1)]
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+def names_in(*nodes):
+    """All names in nodes, of variables or not."""
+    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
+            if type(node) in NAME}
+
+
+def own_names(*nodes):
+    """The names that nodes bind: variables, parameters, inner functions."""
+    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
+            if type(node) in NAME and not isinstance(getattr(node, "ctx", None), ast.Load)}
+
+
+@functools.cache
+def outer_names(text):
+    """What the top level of a module's text names, and Python."""
+    body = ast.parse(text).body
+    inner = [node for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
+    imported = {alias.asname or alias.name for node in body
+                if isinstance(node, (ast.Import, ast.ImportFrom)) for alias in node.names}
+    return imported | {node.name for node in inner} | {*dir(builtins)} | names_in(
+        *(node for node in body if node not in inner))
+
+
+def used_names(wanted, outside):
+    """The variables of the function that Changes speak of: not those that they make themselves."""
+    old = names_in(*(node for one in wanted for node in one.old))
+    new = [node for one in wanted for node in one.new]
+    return (old | names_in(*new) - own_names(*new)) - outside
+
+
+def names_now(function, several, outside):
+    """{name in a list: the function's own}, of variables that are called otherwise since.
+
+    several: the Changes of each mistake of the exercise. outside: names that the function finds
+    outside of itself. A name that the function lacks is a variable that the list does not name,
+    and the one with which all changes have their place. Where it may be two of them, it is none.
+    """
+    written = set().union(*(used_names(wanted, outside) for wanted in several))
+    missing = sorted(written - names_in(function))
+    free = sorted(own_names(function) - written - {function.name})
+    fitting = []
+    for chosen in itertools.permutations(free, len(missing)) if missing else ():
+        names = dict(zip(missing, chosen, strict=True))
+        if all(found_at(function, renamed(one, names)) for wanted in several for one in wanted):
+            fitting.append(names)
+    return fitting[0] if len(fitting) == 1 else {}
+
+
+def renamed(wanted, names):
+    """A Change with other names."""
+    return wanted._replace(old=with_names(wanted.old, names), new=with_names(wanted.new, names))
+
+
+def with_names(statements, names):
+    statements = copy.deepcopy(statements)
+    for node in itertools.chain(*map(ast.walk, statements)):
+        for field in "id", "arg", "name":
+            if getattr(node, field, None) in names and not isinstance(node, ast.keyword):
+                setattr(node, field, names[getattr(node, field)])
+    return statements
+
+
+# --- all of an exercise -----------------------------------------------------------------------
+
+
+def function_of(topic, exercise):
+    """The node of an exercise in the reference."""
+    functions = exercises.top_level_functions(exercises.read(exercises.reference(topic)))
+    return next(node for node in functions if node.name == exercise.name)
+
+
+def wrong_functions(topic, exercise, listed):
+    """[the text of the wrong function] of an exercise's Entries. ValueError: one matches nowhere.
+    """
+    function, texts = function_of(topic, exercise), []
+    outside = outer_names(exercises.read(exercises.reference(topic))) - own_names(function)
+    several = [read(entry) for entry in listed]
+    names = names_now(function, several, outside)
+    for entry, wanted in zip(listed, several, strict=True):
+        wanted = [renamed(one, names) for one in wanted]
+        unknown = sorted(used_names(wanted, outside) - names_in(function))
+        try:
+            if unknown:
+                raise ValueError(f"{exercise.name} has no variable {unknown[0]}; write its name")
+            texts.append(changed(function, wanted))
+        except ValueError as error:
+            raise ValueError(f"{entry.place}: {error}") from None
+    return texts
+
+
+def read(entry):
+    """The Changes of an Entry."""
+    try:
+        return [change(text) for text in entry.changes]
+    except ValueError as error:
+        raise ValueError(f"{entry.place}: {error}") from None

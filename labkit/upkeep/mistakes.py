@@ -1,0 +1,141 @@
+"""The mistakes that are likely, exercise by exercise, and the hints that they give.
+
+Each exercise has one to eight. They are written as changes of the right answer, in
+tests/mistakes/<topic>.txt:
+
+    2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)
+          the border does not count as inside: > 0 for >= 0
+
+changes.py has the rules. Only what takes several lines, written in another way altogether, is a
+function in tests/mistakes/<topic>.py. That file is only read, never imported: each function takes
+the place of the one of its name. The words below a change, and the docstring of a function, go on
+after "this is what comes out when".
+
+Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
+function does in all checks what a known mistake does there, the report tells the sentence.
+
+At home there is no library, only labkit/checks/hints.json: for each exercise the sentences, with
+what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
+`run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
+"""
+import ast
+import json
+import textwrap
+from typing import NamedTuple
+
+from .. import exercises, places
+from ..checks.hints import HINTS, known_mistakes, pattern
+from ..checks.showing import plural
+from . import changes
+from .trials import Trial, caught_by
+
+
+class Mistake(NamedTuple):
+    """An exercise, the function with the mistake, and "when ..."."""
+
+    topic: str
+    exercise: exercises.Exercise
+    text: str
+    sentence: str
+
+
+def wrong_functions(topic):
+    """Yield (place, exercise, text, docstring in one line) of tests/mistakes/<topic>.py.
+
+    ValueError: a function is no exercise of the topic.
+    """
+    path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
+    text = exercises.read(path) if path.exists() else ""
+    lines = exercises.text_lines(text)
+    known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
+    for function in exercises.top_level_functions(text):
+        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
+        if function.name not in known:
+            raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
+                             "give it the name of one")
+        yield (place, known[function.name], "".join(lines[function.lineno - 1:function.end_lineno]),
+               " ".join((ast.get_docstring(function) or "").split()))
+
+
+def changed_functions(folder, topic):
+    """Yield (place, exercise, text, words) of tests/FOLDER/<topic>.txt.
+
+    ValueError: an entry is of no exercise of the topic, or its changes have no place there.
+    """
+    entries = changes.entries(places.ROOT / "tests" / folder / f"{topic}.txt")
+    asked = exercises.topic_exercises(topic)
+    for entry in entries:
+        if entry.number not in [exercise.number for exercise in asked]:
+            raise ValueError(f"{entry.place}: {entry.number} is no exercise of {topic}; "
+                             "give it the number of one")
+    for exercise in asked:
+        listed = [entry for entry in entries if entry.number == exercise.number]
+        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
+        for entry, text in zip(listed, texts, strict=True):
+            yield entry.place, exercise, text, entry.said
+
+
+def library(topic):
+    """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
+    found = []
+    for place, exercise, text, sentence in (*changed_functions("mistakes", topic),
+                                            *wrong_functions(topic)):
+        if not sentence:
+            raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
+                             'after "this is what comes out when"')
+        found.append(Mistake(topic, exercise, text, sentence))
+    asked = exercises.topic_exercises(topic)
+    return sorted(found, key=lambda mistake: asked.index(mistake.exercise))
+
+
+def tried(topic):
+    """[(Mistake, [Check that caught it])]."""
+    mistakes = library(topic)
+    trials = [Trial(mistake.exercise, mistake.text) for mistake in mistakes]
+    return list(zip(mistakes, caught_by(topic, trials, all_checks=True), strict=True))
+
+
+def patterns(found):
+    """[(sentence, its Pattern's failed)] of what `tried` gives of one exercise.
+
+    Mistakes that do the same in all checks make one sentence: "..., or when ...".
+    """
+    kept = []
+    for mistake, caught in found:
+        failed = pattern(caught).failed
+        if any(failed.values()):
+            same = [sentence for sentence, other in kept if other == failed]
+            kept = [pair for pair in kept if pair[1] != failed]
+            kept.append((", or when ".join([*same, mistake.sentence]), failed))
+    return kept
+
+
+def run(target=None):
+    """Try all mistakes, or those of a topic or a lab, and write labkit/checks/hints.json.
+
+    -> 0 if all are caught, else 1.
+    """
+    made, alive = dict(known_mistakes()) if target else {}, []
+    for topic in exercises.asked_for(target)[0]:
+        found = tried(topic)
+        asked = list(dict.fromkeys(mistake.exercise for mistake, _ in found))
+        for exercise in asked:
+            own = [pair for pair in found if pair[0].exercise == exercise]
+            made[exercise.number] = patterns(own)
+        alive += [mistake for mistake, caught in found if not caught]
+        print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
+              f"in {plural(len(asked), 'exercise')}")
+    for mistake in alive:
+        print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
+              f"{textwrap.indent(mistake.text, '    ')}")
+    places.write_whole(HINTS, as_json(made).encode("utf-8"))
+    print(f"{plural(sum(map(len, made.values())), 'sentence')} in labkit/checks/hints.json")
+    return int(bool(alive))
+
+
+def as_json(made):
+    """JSON with one line for each sentence, so that a diff shows the mistake that changed."""
+    blocks = [f"{json.dumps(number)}: [\n"
+              + ",\n".join(json.dumps(known, sort_keys=True) for known in made[number]) + "\n]"
+              for number in sorted(made)]
+    return "{\n" + ",\n".join(blocks) + "\n}\n"

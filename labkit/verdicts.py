@@ -1,0 +1,201 @@
+"""What became of exercises: the verdict on each of them, its points, and what it waits for.
+
+`run` judges what was asked for, `Found` is what it returns. The board shows it, and the grader
+makes marks of the same entries.
+"""
+import contextlib
+import json
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from . import exercises, imports, places
+from .checks.loader import folder
+from .checks.report import Check
+from .checks.runner import run_checks
+from .checks.showing import plural
+
+ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
+             "modules in labs/, one file each: from .norms import norm")
+KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
+
+
+class Entry(NamedTuple):
+    """An exercise with its checks. It is done when its question is, whatever its fine print."""
+
+    number: str
+    name: str
+    topic: str
+    points: int
+    extra: bool
+    verdict: str  # done, failing, not run, not started, blocked by 2.1, not readable
+    fine_print_open: bool  # it is done, and a check of its fine print does not pass
+    checks: list[Check]
+
+    @property
+    def told(self) -> str:
+        """The verdict as a board has it: done, fine print open."""
+        return f"{self.verdict}, fine print open" if self.fine_print_open else self.verdict
+
+    @property
+    def blocked_by(self) -> str:
+        """The exercise that it waits for. "": none."""
+        return self.verdict.partition("blocked by ")[2]
+
+
+class Found(NamedTuple):
+    """What became of what was asked for."""
+
+    asked: list[Entry]
+    needed: list[Entry]      # with the exercises that these call
+    closed: set[str]         # extras that were left out: they are complete as they came
+    broken: dict[str, str]   # {topic: what is wrong with its file} where Python cannot read it
+    problems: list[str]      # sentences on checks that cannot be trusted
+    warnings: list[str]      # sentences on what is not there where labs are graded
+    losses: list[str]        # those on what costs a whole file's points there
+
+    @property
+    def all_is_done(self) -> bool:
+        return all(entry.verdict == "done" for entry in self.asked)
+
+
+def run(target: str | None, implementation: str, seed: int, extra: bool = False,
+        spine: bool = False) -> Found:
+    """Run the checks of a lab, an exercise or all, and of what these call. spine: of its exercises
+    alone.
+
+    ValueError: there is no such target or folder, or it is an extra that is not open.
+    """
+    labs, asked = exercises.asked_for(target, spine)
+    code = folder(implementation)
+    closed = set() if extra else closed_extras(labs, code)
+    if not set(asked) - closed:
+        raise ValueError(not_open(target, labs, asked))
+    called = called_exercises(labs, code, closed)
+    needed = closure(set(asked) - closed, called)
+    broken = not_python(labs, code)
+    checks, problems = run_checks({topic: labs[topic] for topic in labs if topic not in broken},
+                                  needed, implementation, seed)
+    board = entries(labs, needed, called, checks, broken)
+    return Found([entry for entry in board if entry.number in asked], board, closed, broken,
+                 problems, *not_there(labs, code))
+
+
+def closed_extras(labs, code):
+    """The numbers of the extras that the code under test marks as closed: complete as they came."""
+    closed = set()
+    for topic, lab in labs.items():
+        with contextlib.suppress(OSError, UnicodeDecodeError):  # its checks say so
+            closed |= exercises.closed_extras(lab, exercises.read(code / f"{topic}.py"))
+    return closed
+
+
+def not_open(target, labs, asked):
+    """The sentence on a target of which nothing is open."""
+    kind, it = (("is an extra, and", "it") if target in asked else
+                ("has extras alone, and they are", "them"))
+    where = ", ".join(f"labs/{topic}.py" for topic, lab in labs.items()
+                      if any(exercise.number in asked for exercise in lab))
+    return (f"{target} {kind} complete in {where}; python3 -m course open {target} empties {it} "
+            "for you to write")
+
+
+def not_python(labs, code):
+    """{topic: what is wrong with its file, in a line} of the files that Python cannot read."""
+    broken = {}
+    for topic in labs:
+        with contextlib.suppress(OSError):  # not there: its checks say so
+            try:
+                exercises.top_level_functions(exercises.read(code / f"{topic}.py"))
+            except ValueError as error:
+                broken[topic] = f"{places.shown_path(code / topic)}.py, {error}"
+    return broken
+
+
+def not_there(labs, code):
+    """(warnings, losses): sentences on what is not there where labs are graded."""
+    warnings, losses = [], []
+    for topic, lab in labs.items():
+        worth = sum(one.points for one in lab if not one.is_extra)
+        for path, need in imports.not_there(topic, code):
+            costs = need.at_the_top and worth
+            so = f", so {topic}.py would lose all its {plural(worth, 'point')}" if costs else ""
+            (losses if costs or need.is_file else warnings).append(
+                f"{places.shown_path(path)}, line {need.line}: {need.shown} is not there when "
+                f"your labs are graded{so}; {ALL_THERE}")
+    return warnings, losses
+
+
+def called_exercises(labs, code, closed=()):
+    """{number: numbers of the exercises that the code under test calls in it}, without closed."""
+    called = {}
+    for topic, lab in labs.items():
+        numbers = {exercise.name: exercise.number for exercise in lab
+                   if exercise.number not in closed}
+        try:
+            names = exercises.calls(exercises.read(code / f"{topic}.py"), numbers)
+        except (OSError, ValueError):  # not there, or not Python: then it is not called either
+            continue
+        called |= {numbers[name]: [numbers[other] for other in names[name]] for name in names}
+    return called
+
+
+def closure(numbers, called):
+    """These exercises, and all that they call."""
+    needed, ends = set(numbers), list(numbers)
+    while ends:
+        new = set(called.get(ends.pop(), ())) - needed
+        needed |= new
+        ends += new
+    return needed
+
+
+def entries(labs: dict, needed: Iterable[str], called: dict, found: list[Check],
+            broken: Iterable[str] = ()) -> list[Entry]:
+    """The Entry of each needed exercise, in the course's order."""
+    checks = {number: [check for check in found if check.exercise == number] for number in needed}
+    questions = {number: [check.verdict for check in checks[number] if not check.fine_print]
+                 for number in needed}
+    done = {number for number, verdicts in questions.items() if {*verdicts} == {"passed"}}
+
+    def entry(topic, exercise):
+        number = exercise.number
+        undone = [other for other in called.get(number, ()) if other not in done]
+        verdict = "not readable" if topic in broken else verdict_of(questions[number], undone)
+        fine_print_open = verdict == "done" and any(
+            check.verdict != "passed" for check in checks[number])
+        return Entry(number, exercise.name, topic, exercise.points, exercise.is_extra, verdict,
+                     fine_print_open, checks[number])
+
+    return [entry(topic, exercise) for topic, lab in labs.items() for exercise in lab
+            if exercise.number in checks]
+
+
+def verdict_of(verdicts: list[str], undone: list[str]) -> str:
+    """The verdict on an exercise, from those on its question's checks.
+
+    undone: the exercises that it calls and that are not done.
+    """
+    if {*verdicts} == {"passed"}:
+        return "done"
+    if "failed" in verdicts or not verdicts:
+        return f"blocked by {undone[0]}" if undone else "failing"
+    return next((verdict for verdict in verdicts if verdict.startswith(("blocked", "not run"))),
+                "not started")
+
+
+def points(board: list[Entry]) -> tuple[int, int]:
+    """(points reached, points in all) of the core: an exercise gives all of its points, or none."""
+    core = [entry for entry in board if not entry.extra]
+    return (sum(entry.points for entry in core if entry.verdict == "done"),
+            sum(entry.points for entry in core))
+
+
+def as_json(board: list[Entry]) -> str:
+    """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told,
+    fine_print_open, checks}]}.
+    """
+    reached, of = points(board)
+    lines = [{**dict(zip(KEYS, entry, strict=False)), "told": entry.told,
+              "fine_print_open": entry.fine_print_open,
+              "checks": [check._asdict() for check in entry.checks]} for entry in board]
+    return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"
