@@ -19,6 +19,7 @@ from .checks import page
 from .checks.loader import folder
 from .checks.report import rerun
 from .checks.showing import layout, plural
+from .table import COMMAND, NAME, WHEN_DONE
 
 BAR = 20  # characters of a whole lab's bar
 MOST_CLAIMS = 3  # shown of the other claims that fail
@@ -52,7 +53,7 @@ def below(found, target, implementation, seed, spine):
     if found.closed and target not in [entry.number for entry in found.asked]:
         lab = min(int(number.split(".")[0]) for number in found.closed)
         yield (f"\n{plural(len(found.closed), 'extra')} more, complete as they came; "
-               f"python3 -m course open {lab} empties those of lab {lab}")
+               f"{COMMAND} open {lab} empties those of lab {lab}")
     yield from ("", *found.problems, *found.broken.values(), *found.warnings)
     if found.all_is_done:
         yield all_done(found.asked, spine)
@@ -84,7 +85,7 @@ def watch(target: str | None = None, implementation: str = "labs", **options) ->
 
 def show(target: str | None = None, implementation: str = "labs") -> None:
     """The board of `check`, in a notebook; in a process of its own, so that labs are read anew."""
-    command = [sys.executable, "-m", "course", "check", *filter(None, [target])]
+    command = [sys.executable, "-m", NAME, "check", *filter(None, [target])]
     plain = {**os.environ, "FORCE_COLOR": "", "COLUMNS": "80", "PYTHONIOENCODING": "utf-8"}
     try:
         board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
@@ -102,7 +103,7 @@ def show_here(target, implementation, plain):
         try:
             check(target, implementation)
         except ValueError as error:
-            print(f"course: {error}")
+            print(f"{NAME}: {error}")
 
 
 def table(board):
@@ -194,7 +195,7 @@ def ways_on(entry, implementation, seed):
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"
         if entry.verdict == "not started":
-            solution = f"python3 -m course close {entry.number} --core puts it in; {solution}"
+            solution = f"{COMMAND} close {entry.number} --core puts it in; {solution}"
         yield "stuck", solution
 
 
@@ -277,9 +278,9 @@ def coming(done, topic, spine):
                  for one in exercises.topic_exercises(topic) if one.number not in done
                  and (one.is_spine if spine else not one.is_extra)), None)
     if left is None:
-        return "python3 -m course demo, your own pictures"
+        return WHEN_DONE
     if left == lab:
-        return f"python3 -m course check {lab}{' --spine' * spine}, for the rest of the lab"
+        return f"{COMMAND} check {lab}{' --spine' * spine}, for the rest of the lab"
     if left > lab:
         return f"lab {left}, {exercises.LABS[left - 1][0]}"
-    return "python3 -m course check, for the rest"
+    return f"{COMMAND} check, for the rest"

@@ -27,31 +27,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import places
+from .table import COMPLETE, LABS
 
-LABS = (  # the topics of each lab, one module each: its lecture's own first, each after its imports
-    ("transforms",),
-    ("rasterization", "scanline"),
-    ("sampling",),
-    ("msaa",),
-    ("interpolation",),
-    ("texturing", "mipmapping", "cube_maps"),
-    ("vertex_gradients", "rasterizer_gradients"),
-    ("antialiasing", "outlines", "diagnosis"),
-    ("inverse_rendering", "pipeline"),
-    ("neural_renderer", "texture_cubes", "sweep_gradient", "soft_rasterizer"),
-    ("subdivision", "loop_subdivision", "catmull_clark"),
-    ("simplification", "collapse_heap"),
-    ("regularization", "remeshing"),
-    ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
-    ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
-    ("reconstruction", "multi_view_fit", "received_light", "intrinsic_decomposition",
-     "vertex_fit", "ambiguity"),
-    ("kernels",),
-)
 TOPICS = tuple(itertools.chain(*LABS))
-
-GIVEN = (  # what labs import of course.given
-    "arrays", "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
 WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do nothing
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
@@ -82,7 +60,7 @@ def topics() -> tuple[str, ...]:
 
 def lab_topics() -> tuple[str, ...]:
     """The topics that have a file in labs/: all but those that stand once, in course/complete."""
-    return tuple(topic for topic in topics() if not places.complete(topic).exists())
+    return tuple(topic for topic in topics() if not complete(topic).exists())
 
 
 def asking_topics() -> tuple[str, ...]:
@@ -162,15 +140,20 @@ def cells(path: Path, kind: str = "markdown") -> list[str]:
     return ["".join(cell["source"]) for cell in found if cell["cell_type"] == kind]
 
 
+def complete(topic: str) -> Path:
+    """Where a topic's module stands that has nothing to write: one file for labs and reference."""
+    return places.ROOT / COMPLETE / f"{topic}.py"
+
+
 def reference(topic: str) -> Path:
     """A topic's module as it is in reference, where no answer is left out."""
-    there = places.complete(topic)
+    there = complete(topic)
     return there if there.exists() else places.ROOT / "reference" / f"{topic}.py"
 
 
 def handed_out(topic: str) -> Path:
     """Where a hand-out keeps a lab as it was at first: a student may delete a mark."""
-    return places.ROOT / "course" / "handed_out" / f"{topic}.py"
+    return places.ROOT / "labkit" / "handed_out" / f"{topic}.py"
 
 
 def questions(topic: str) -> Path:

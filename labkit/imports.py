@@ -12,9 +12,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import places
-from .exercises import GIVEN, TOPICS, WITHOUT_EFFECT
+from .exercises import TOPICS, WITHOUT_EFFECT
+from .table import GIVEN
 
 PACKAGE = "labs"
+GIVEN_PACKAGES = {".".join(name.split(".")[:depth])  # those of what is given: course, course.given
+            for name in GIVEN for depth in range(1, name.count(".") + 1)}
 MOST = 16  # modules of one student's own
 NAME = re.compile(r"(?!__)[a-zA-Z_]\w{0,59}", re.ASCII)
 LONGEST_PATH = 100
@@ -56,7 +59,7 @@ def imported(node):
     elif isinstance(node, ast.ImportFrom):
         whole = "." * node.level + (node.module or "")
         names = [f"{whole.rstrip('.')}.{alias.name}" for alias in node.names] if whole in (
-            ".", PACKAGE, "course", "course.given") else [whole]
+            ".", PACKAGE, "scipy", *GIVEN_PACKAGES) else [whole]
     else:
         names = []
     return [re.sub(rf"^{PACKAGE}\.", ".", name) for name in names if not name.endswith("*")]
@@ -99,8 +102,7 @@ def is_there(module, topic, own):
     if module[0] == ".":
         return module[1:] in own or module[1:] in TOPICS[:TOPICS.index(topic)]
     packages = {PACKAGE, "numpy", "scipy", *WITHOUT_EFFECT, *sys.stdlib_module_names}
-    return module.partition(".")[0] in packages or module in {
-        "course", "course.given", *(f"course.given.{name}" for name in GIVEN)}
+    return module.partition(".")[0] in packages or module in {*GIVEN_PACKAGES, *GIVEN}
 
 
 def files(text, folder):

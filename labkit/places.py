@@ -5,24 +5,13 @@ import os
 import re
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-DATA = ROOT / "course" / "given" / "data"
+ROOT = Path(__file__).resolve().parents[1]
 OUT = "out"  # in ROOT, or the path of another folder
 
 
 def is_handout():
     """Whether this copy of the course is a student's: one that cannot be handed out again."""
-    return not (ROOT / "course" / "grading" / "handing" / "handout.py").exists()
-
-
-def complete(topic):
-    """Where a topic's module stands that has nothing to write: one file for labs and reference."""
-    return ROOT / "course" / "complete" / f"{topic}.py"
-
-
-def of_both():
-    """The folders whose modules belong to labs as well as to reference, as these import them."""
-    return [str(ROOT / "course" / room) for room in ("complete", "fast")]
+    return not (ROOT / "labkit" / "grading" / "handing" / "handout.py").exists()
 
 
 def out(*parts):

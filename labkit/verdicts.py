@@ -13,6 +13,7 @@ from .checks.loader import folder
 from .checks.report import Check
 from .checks.runner import run_checks
 from .checks.showing import plural
+from .table import COMMAND
 
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
              "modules in labs/, one file each: from .norms import norm")
@@ -95,7 +96,7 @@ def not_open(target, labs, asked):
                 ("has extras alone, and they are", "them"))
     where = ", ".join(f"labs/{topic}.py" for topic, lab in labs.items()
                       if any(exercise.number in asked for exercise in lab))
-    return (f"{target} {kind} complete in {where}; python3 -m course open {target} empties {it} "
+    return (f"{target} {kind} complete in {where}; {COMMAND} open {target} empties {it} "
             "for you to write")
 
 

@@ -3,6 +3,6 @@
 Modules with nothing to write stand in course/complete and in course/fast, and are imported from
 here, too.
 """
-from course.given import places
+from pathlib import Path
 
-__path__ += places.of_both()
+__path__ += [str(Path(__file__).parents[1] / "course" / room) for room in ("complete", "fast")]

@@ -1,18 +1,14 @@
 """What is given: it stands below reference, and nobody has to write it.
 
-    places             where things lie, and files read and written whole
     arrays             rows of numbers: gather, scatter, ranges, a part at a time
     inputs             what functions expect: one sentence for what does not fit
-    contract           what goes into an exercise, and what may come out
     whose              the reference does the work, or a student's labs
     compiled           loops that numba compiles where it is installed, and all cores
-    memory             freed arrays stay with the process
     image              pictures as arrays, and as files
     mesh               triangle meshes: simple shapes, normals, edges
     mesh_files         triangle meshes from files
     distances          how far points are from a mesh, and meshes from each other
     ray_casting        exact shadows, without a map
-    suspicions         common mistakes that show in the numbers alone
     sweeps             numeric derivatives, and how near they are
     gradcheck_picture  the picture of a gradient check that failed
     gradcheck          is a backward pass the derivative of its forward pass?

@@ -8,11 +8,12 @@ what `inputs.require_mesh` accepts.
 """
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import scipy.sparse
 
-from labkit import places
+DATA = Path(__file__).parent / "data"
 
 # The given meshes
 
@@ -29,7 +30,7 @@ def teapot():
 
 def _read(name):
     """A PLY file as trimesh writes it: binary, of float32 and triangles. -> vertices, faces"""
-    header, _, rows = places.read_whole(places.DATA / name).partition(b"end_header\n")
+    header, _, rows = (DATA / name).read_bytes().partition(b"end_header\n")
     vertex_count, face_count = map(int, re.findall(rb"element \w+ (\d+)", header))
     vertices = np.frombuffer(rows, "<f4", 3 * vertex_count).reshape(-1, 3)
     row = [("length", "u1"), ("corners", "<i4", 3)]

@@ -8,9 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from labkit import places
-
-from ..given import image
+from ..given import image, mesh
 from . import hull, photographs, reconstruct
 from .drawing import WHITE, save
 from .viewing import cameras_around
@@ -31,7 +29,7 @@ class Unseen(NamedTuple):
 def capture(labs, name):
     """The 24 views of an object, as lab 16's search takes them."""
     pictures = []
-    for path in sorted((places.DATA / "captures" / name / "images").iterdir()):
+    for path in sorted((mesh.DATA / "captures" / name / "images").iterdir()):
         picture = image.read(path)
         colour, alpha = image.to_linear(picture[..., :3]), picture[..., 3:]
         pictures.append(np.concatenate([alpha * colour + 1 - alpha, alpha], 2))
@@ -40,7 +38,7 @@ def capture(labs, name):
 
 def unseen(name):
     """The Unseen of a capture."""
-    rows = image.read(places.DATA / "captures" / name / "unseen.png")
+    rows = image.read(mesh.DATA / "captures" / name / "unseen.png")
     size = len(rows) // 2
     views = rows.reshape(2, size, 8, size, 4).swapaxes(1, 2)
     albedo, colours = image.to_linear(views[..., :3])

@@ -19,7 +19,7 @@ labkit/contract.py: a check gets arrays and numbers, never lists.
     report       the verdict on a check, and what a student reads
     page         what failed, as HTML
     runner       runs the checks of some exercises
-    plugin       pytest's hooks and fixtures (impl, rng, gradcheck), loaded by tests/conftest.py
+    plugin       pytest's hooks and fixtures (impl, rng), loaded by conftest.py
 """
 import pytest
 

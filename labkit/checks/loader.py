@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from .. import contract, places
+from .. import contract, exercises, places
+from ..table import COMMAND, COMPLETE
 from .alarm import at_most
 from .assertions import Mismatch
 from .showing import PACKAGE, arguments, error_text
@@ -101,9 +102,9 @@ def load_topic(path):
     No bytecode is written. Python takes it for up to date when a source was edited within the same
     second and kept its length, as with a + made a -.
     """
-    if not (path.exists() or places.complete(path.stem).exists()):
+    if not (path.exists() or exercises.complete(path.stem).exists()):
         raise Mismatch(("wrong", f"there is no {places.shown_path(path)}; take it "
-                                 "from the hand-out, or run python3 -m course skeleton"))
+                                 f"from the hand-out, or run {COMMAND} skeleton"))
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         return importlib.import_module(f"{PACKAGE}.{path.stem}")
@@ -122,7 +123,7 @@ def package(code):
     """
     before = taken_out()
     sys.modules[PACKAGE] = types.ModuleType(PACKAGE)
-    sys.modules[PACKAGE].__path__ = [str(code), str(places.complete("").parent)]  # as in grading
+    sys.modules[PACKAGE].__path__ = [str(code), str(places.ROOT / COMPLETE)]  # as in grading
     yield
     taken_out()
     sys.modules.update(before)

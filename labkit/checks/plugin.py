@@ -1,4 +1,4 @@
-"""The pytest plugin, loaded by tests/conftest.py. It gives checks the code under test, and reports.
+"""The pytest plugin, loaded by conftest.py. It gives checks the code under test, and reports.
 
 The report of a failed check is short and shows the last call to the code under test. --tb=long
 gives pytest's own instead.
@@ -9,8 +9,6 @@ import zlib
 
 import numpy as np
 import pytest
-
-from course.given.gradcheck import gradcheck
 
 from .. import exercises
 from . import alarm, loader, report
@@ -92,9 +90,3 @@ def rng(request):
     """This check's own random numbers, made from --seed, its file's name and its own."""
     name = zlib.crc32(f"{request.path.name}::{request.node.name}".encode())
     return Generator(np.random.PCG64([request.config.option.seed, name]))
-
-
-@pytest.fixture(name="gradcheck")
-def seeded_gradcheck(rng):
-    """The gradient check of course/given, with this check's own random upstream gradient."""
-    return functools.partial(gradcheck, seed=int(rng.spawn(1)[0].integers(1 << 31)))

@@ -15,6 +15,7 @@ import numpy as np
 
 from .. import places
 from ..contract import UNFINISHED, Refused
+from ..table import COMMAND
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
@@ -201,4 +202,4 @@ def commands(item, number):
 def rerun(number: str, implementation: str = "labs", seed: int = 0) -> str:
     """The command that runs an exercise's checks."""
     other = "" if implementation == "labs" else f" --impl {implementation}"
-    return f"python3 -m course check {number}{other}{f' --seed {seed}' if seed else ''}"
+    return f"{COMMAND} check {number}{other}{f' --seed {seed}' if seed else ''}"

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .. import exercises, lab_text, places
+from ..table import COMMAND
 
 
 class Lab(NamedTuple):
@@ -27,7 +28,7 @@ def run(check: bool = False, force: bool = False) -> int:
     standing = labs()
     if check:
         for path, _, state in standing:
-            advice = ": run python3 -m course skeleton" if state == "stale" else ""
+            advice = f": run {COMMAND} skeleton" if state == "stale" else ""
             print(f"labs/{path.name}: {state}{advice}")
         return int(any(state != "in step" for _, _, state in standing))
 
@@ -36,7 +37,7 @@ def run(check: bool = False, force: bool = False) -> int:
         if state == "worked on" and not force:
             refused = True
             print(f"labs/{path.name} was worked on and stays as it is; to start it anew, run "
-                  "python3 -m course skeleton --force, which keeps your text beside it")
+                  f"{COMMAND} skeleton --force, which keeps your text beside it")
             continue
         if state == "worked on":
             print(f"labs/{path.name} is made anew; your text is in labs/{keep(path).name}")

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from PIL import Image, ImageOps
 
+from course.given.mesh import DATA
 from labkit import exercises
-from labkit.places import DATA, ROOT, read_whole
+from labkit.places import ROOT, read_whole
 
 from . import poster, put
 from .sidebar import trees

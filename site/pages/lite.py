@@ -21,7 +21,7 @@ CONTENTS = (
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
     "course/complete/*.py", "course/fast/*.py",
     "course/scenes/*.py", "labkit/checks/*.*", "labkit/upkeep/__init__.py",
-    "labkit/upkeep/extras.py", "tests/conftest.py",
+    "labkit/upkeep/extras.py", "conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.

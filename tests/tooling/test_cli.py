@@ -8,7 +8,8 @@ from types import SimpleNamespace
 import pytest
 from submitted import put as put_files
 
-from course import cli, commands
+from course import commands
+from labkit import cli
 from labkit.grading.request import Request
 
 

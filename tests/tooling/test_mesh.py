@@ -273,7 +273,7 @@ def test_no_faces_have_no_edges():
 
 def test_the_data_readme_states_the_facts():
     """Numbers in the README that are no longer those of the files."""
-    text = (places.DATA / "README.md").read_text(encoding="utf-8")
+    text = (mesh.DATA / "README.md").read_text(encoding="utf-8")
     bunny, teapot = (f"{len(vertices)}, {len(faces)}, {len(mesh.edges(faces)[0])}"
                      for vertices, faces in (mesh.bunny(), mesh.teapot()))
     assert f"| {bunny} | {teapot} |" in text

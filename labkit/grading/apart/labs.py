@@ -1,8 +1,9 @@
 """What a worker is sent of the course's labs besides the one that was handed in."""
 import functools
-import re
 
 from ... import exercises, lab_text
+from ...imports import imports
+from ...table import GIVEN
 
 
 @functools.cache
@@ -27,8 +28,7 @@ def exercise_numbers(topic):
 @functools.cache
 def preloaded(topic):
     """The modules of SciPy and the course that a topic, or one before it, imports."""
-    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
-    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
-                       "\n".join(texts), re.M)
-    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
-                               for module, name in lines))
+    return tuple(dict.fromkeys(
+        need.what for each in (*before_it(topic), topic)
+        for need in imports(exercises.read(exercises.reference(each)))
+        if need.at_the_top and (need.what in GIVEN or need.what.startswith("scipy"))))

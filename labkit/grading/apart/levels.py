@@ -16,7 +16,8 @@ import numpy as np
 import scipy
 
 from ... import places
-from ...exercises import GIVEN
+from ...imports import GIVEN_PACKAGES
+from ...table import GIVEN
 from . import seccomp
 
 LEVELS = ("strict", "process")
@@ -42,11 +43,10 @@ def interpreter():
 
 @functools.cache
 def given() -> dict:
-    """{module of the course that labs may import: its text}, and the contract, for the worker."""
-    folder = places.ROOT / "course" / "given"
-    return {"course": "", "course.given": ""} | {
-        f"course.given.{name}": (folder / f"{name}.py").read_text("utf-8")
-        for name in (*GIVEN, "contract")}
+    """{module: its text} for the worker: what labs may import, and what of labkit they stand on."""
+    return dict.fromkeys((*GIVEN_PACKAGES, "labkit"), "") | {
+        name: places.ROOT.joinpath(*name.split(".")).with_suffix(".py").read_text("utf-8")
+        for name in (*GIVEN, "labkit.contract")}
 
 
 def python(worker, packages):

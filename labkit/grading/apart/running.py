@@ -15,11 +15,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ... import places
+from ...table import COMPLETE, USED, WITH_LABS
 from . import typed_json
 from .jobs import Job, Result, failure
 
-DECIDE = ("course/**/*.py", "reference/*.py", "tests/conftest.py", "tests/labs/*.py",
-          "tests/golden/*")
+DECIDE = ("labs.toml", "labkit/**/*.py", "reference/*.py", "conftest.py", "tests/labs/*.py",
+          f"{COMPLETE}/*.py", *USED, *WITH_LABS.values())
 
 
 @functools.cache

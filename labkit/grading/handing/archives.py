@@ -14,6 +14,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 from ... import exercises, imports
+from ...table import COMMAND
 from .contents import MOST_TEXT, Lab, readable, texts_of
 
 BUDGET = 1 << 23         # bytes that are read of what one student has handed in. Among these,
@@ -218,7 +219,7 @@ def found_in(path, name, notes, budget):
     with opened(path, budget) as file:
         if not PACKED.fullmatch(path.name):
             raise ValueError("is neither a lab nor an archive: hand in the zip that "
-                             "python3 -m course pack makes")
+                             f"{COMMAND} pack makes")
         budget.pay(EACH_ARCHIVE)
         with zipfile.ZipFile(file) as archive:
             labs = chosen(entries_of(archive, when), name, notes)

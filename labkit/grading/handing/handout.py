@@ -11,15 +11,15 @@ import textwrap
 from pathlib import Path
 
 from ... import exercises, lab_text, places
+from ...table import COMPLETE, HANDED_OUT, USED, WITH_LABS
 from . import archives
 
-WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "apps/*.py", "apps/*/*.*",
-         "apps/bridge/n*/*.py", "labkit/checks/hints.json", "tests/conftest.py", "tests/golden/*",
-         "tests/labs/[!t]*.py",  # what checks share
-         "notebooks/errata.md", "notebooks/00*.ipynb", "LICENSE", "requirements*.txt",
-         "pyproject.toml", ".gitattributes", ".gitignore")
-PACKS = {f"labkit/grading/{name}.py" for name in (
-    "__init__", "handing/__init__", "handing/archives", "handing/contents", "handing/pack")}
+WHOLE = ("labs.toml", "labkit/*.py", "labkit/checks/*.*", "labkit/upkeep/*.py",
+         *(f"labkit/grading/{name}.py" for name in (  # what packs
+             "__init__", "handing/__init__", "handing/archives", "handing/contents",
+             "handing/pack")),
+         "conftest.py", "tests/labs/[!t]*.py",  # what checks share
+         "pyproject.toml", *USED, *HANDED_OUT)
 TEACHERS = {f"labkit/upkeep/{name}.py" for name in (
     "changes", "mistakes", "mutants", "mutations", "trials")}
 README = Path(__file__).parents[1] / "files" / "handout.md"
@@ -110,13 +110,14 @@ def files(asked, released, extra, spine):
     """Yield (name, bytes) of all that is handed out."""
     for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
-        if not is_for_teachers(name):
+        if name not in TEACHERS:
             yield name, path.read_bytes()
+    for topic, pattern in WITH_LABS.items():
+        for path in places.ROOT.glob(pattern) if topic in asked else ():
+            yield places.shown_path(path), path.read_bytes()
     for package in ["labs", *(["reference"] if released else [])]:
         yield f"{package}/__init__.py", (places.ROOT / package / "__init__.py").read_bytes()
     yield from labs_of(asked, released, extra, spine)
-    for path in (places.ROOT / "course" / "fast").glob("*.py") if "kernels" in asked else ():
-        yield places.shown_path(path), path.read_bytes()  # it has lines of other labs' answers
     for topic in came_along(asked):
         path = exercises.reference(topic)
         name = f"labs/{topic}.py" if path.parent.name == "reference" else places.shown_path(path)
@@ -144,14 +145,6 @@ def labs_of(asked, released, extra, spine):
             yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
-
-
-def is_for_teachers(name):
-    """A copy without these files is one for students. Of labkit/grading they get what packs, and
-    what stands once they get with the labs that it belongs to.
-    """
-    return name in TEACHERS or (name not in PACKS and name.startswith(
-        ("labkit/grading/", "course/complete/", "course/fast/")))
 
 
 def readme(asked, released, spine):
@@ -190,8 +183,8 @@ def needed(topics, *more) -> list[str]:
     """
     labs = {exercises.lab_number(topic) for topic in topics}
     ends = [*map(exercises.reference, topics), *lectures(topics), *more,
-            *(places.complete(topic) for topic in exercises.topics()
-              if exercises.lab_number(topic) in labs and places.complete(topic).exists())]
+            *(exercises.complete(topic) for topic in exercises.topics()
+              if exercises.lab_number(topic) in labs and exercises.complete(topic).exists())]
     seen = set(ends)
     while ends:
         new = uses(ends.pop()) - seen
@@ -203,7 +196,7 @@ def needed(topics, *more) -> list[str]:
 @functools.cache
 def uses(path):
     """The files of a topic, or in course/scenes/, that a module or a notebook uses."""
-    topics = places.ROOT / "reference", places.complete("").parent
+    topics = places.ROOT / "reference", places.ROOT / COMPLETE
     rooms = *topics, places.ROOT / "course" / "scenes"
     found = set()
     for node in ast.walk(ast.parse(code_of(path))):
