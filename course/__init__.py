@@ -1,4 +1,4 @@
-"""The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
+"""The rooms of the course. Each imports only from those above it (tests/course/test_rooms.py).
 
     given         below reference: meshes, pictures, plots, gradient check
     complete      what labs and reference have from one file, as it asks nothing
