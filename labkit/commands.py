@@ -167,7 +167,8 @@ def autograder(asked):
 def grade(asked):
     """Grade what was handed in, each submission in a sandbox.
 
-    Status 0 if all could be graded. Options that are not given are those of the last run into DIR. --due "" forgets one.
+    Status 0 if all could be graded. Options that are not given are those of the last run into DIR.
+    --due "" forgets one.
     """
     try:
         from .grading import grade

@@ -10,17 +10,17 @@ import hashlib
 import json
 import math
 import re
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from ..contract import as_array
+from ..places import ROOT
 from ..suspicions import ENOUGH, TRUTHS, Suspicion, evidence, suspicion
 from .retries import mixed_up
 from .showing import arguments, shape_name
 
-HINTS = Path(__file__).with_name("hints.json")
+HINTS = ROOT / "tests" / "labs" / "hints.json"
 WHOLE = "whole"
 OTHER = "other"         # the fingerprint where inputs are not those of the known mistakes
 MOST = 1 << 18          # numbers that a fingerprint is taken of
@@ -177,7 +177,7 @@ def is_sure(said):
 
 @functools.cache
 def known_mistakes():
-    """{exercise: [(sentence, its Pattern's failed)]}: labkit/checks/hints.json, see upkeep."""
+    """{exercise: [(sentence, its Pattern's failed)]}: tests/labs/hints.json, see upkeep."""
     try:
         return json.loads(HINTS.read_bytes())
     except OSError:

@@ -14,7 +14,7 @@ from .handing.submissions import Submission
 from .pages import report
 
 FILES = Path(__file__).with_name("files")
-NEEDED = (*running.DECIDE, "labkit/checks/hints.json", "labkit/grading/files/*", "labs/*.py",
+NEEDED = (*running.DECIDE, "tests/labs/hints.json", "labkit/grading/files/*", "labs/*.py",
           "pyproject.toml", "requirements.txt")
 PROGRAMS = "setup.sh", "run_autograder"
 

@@ -1,5 +1,5 @@
-"""What a run of all tests does first and says at its end, and what tests of the tooling share:
-figures, and commands that run in this process.
+"""What a run of all tests does first and says at its end, courses made for a test, and commands
+that run in this process.
 """
 import contextlib
 import io
@@ -9,13 +9,10 @@ import sys
 from collections import Counter
 from itertools import chain
 
-import matplotlib as mpl
-import matplotlib.pyplot as plt
 import pytest
 from afresh import ROOT
 
-from course.given import plot
-from labkit import cli, places
+from labkit import cli, places, table
 
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
@@ -43,11 +40,11 @@ def house(tmp_path_factory):
     def build(files):
         root = tmp_path_factory.mktemp("house")
         # With what was compiled, which is of use as long as a file is as old as it was.
-        given = (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/**/__pycache__/*.pyc"),
-                 *ROOT.glob("labkit/grading/files/*"))
-        given = [path for path in given if path.parent != ROOT / "course" / "complete"]  # topics
-        for path in (*given, *map(ROOT.joinpath, (
-                "tests/conftest.py", "pyproject.toml", "requirements.txt"))):
+        given = [path for room in ("course", "labkit") for pattern in ("*.py", "__pycache__/*.pyc")
+                 for path in ROOT.glob(f"{room}/**/{pattern}")
+                 if path.parent != ROOT / table.COMPLETE]  # topics, which the test gives
+        for path in (*given, *ROOT.glob("labkit/grading/files/*"), *map(ROOT.joinpath, (
+                "conftest.py", "labs.toml", "pyproject.toml", "requirements.txt"))):
             copy = root / path.relative_to(ROOT)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(path, copy)
@@ -57,16 +54,6 @@ def house(tmp_path_factory):
         return root
 
     return build
-
-
-@pytest.fixture
-def style():
-    """Figures in the course's style, drawn without a screen, and closed afterwards."""
-    mpl.use("Agg")
-    plot.style()
-    yield
-    plt.close("all")
-    mpl.rcdefaults()
 
 
 @pytest.fixture(scope="session")

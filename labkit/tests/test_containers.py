@@ -12,7 +12,7 @@ from submitted import put
 from labkit.grading import autograder
 
 ROOT = Path(__file__).parents[2]
-FILES = ROOT / "course" / "grading" / "files"
+FILES = ROOT / "labkit" / "grading" / "files"
 
 
 def test_the_workflow_keeps_its_schema(tmp_path):

@@ -169,7 +169,7 @@ def test_a_hand_out_is_whole(labs, tmp_path, run_module):
     first = first_exercise(labs)
     shutil.copy(PROBES / "probe_of_a_handout.py", tmp_path / "probe.py")
     (tmp_path / "lab").write_text(first.number.partition(".")[0])
-    hints = (tmp_path / "course" / "checks" / "hints.json").read_bytes()
+    hints = (tmp_path / "tests" / "labs" / "hints.json").read_bytes()
     done = run_module(tmp_path, "probe")
     assert done.returncode == 0, done.stderr
     assert "cannot be collected" not in done.stdout
@@ -185,7 +185,7 @@ def test_a_hand_out_is_whole(labs, tmp_path, run_module):
     assert all("is for teachers, and this is a copy for students" in line for line in told[2:])
     assert len(told) == 6
     assert re.findall(r"^  ([a-z]+)(?:  +\S| [\[A-Z])", done.stdout, re.MULTILINE) == COMMANDS
-    assert (tmp_path / "course" / "checks" / "hints.json").read_bytes() == hints
+    assert (tmp_path / "tests" / "labs" / "hints.json").read_bytes() == hints
     if labs in ("2", "1-4", None):  # the mistake that notebook 00 makes, in a copy
         assert re.search(r"Next: [\d.]+ rasterize_loop, failing in", done.stdout)
 

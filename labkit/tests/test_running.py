@@ -51,7 +51,7 @@ def wait_until(condition, why):
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such timer")
 def test_a_step_of_a_check_that_takes_minutes_is_ended(house, run_module, tmp_path):
     """A product of large matrices waits for no alarm: one line keeps a processor for 5 minutes."""
-    alarm = (places.ROOT / "course" / "checks" / "alarm.py").read_text("utf-8")
+    alarm = (places.ROOT / "labkit" / "checks" / "alarm.py").read_text("utf-8")
     course = house(first_lab(checks=CHECKS.replace(
         "impl.double(x), expected", "(y := impl.double(x)) @ y.T, 4 * x @ x")) | {
             "labkit/checks/alarm.py": alarm.replace("OURS = 20.0", "OURS = 0.5")})

@@ -14,7 +14,7 @@ after "this is what comes out when".
 Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
 function does in all checks what a known mistake does there, the report tells the sentence.
 
-At home there is no library, only labkit/checks/hints.json: for each exercise the sentences, with
+At home there is no library, only tests/labs/hints.json: for each exercise the sentences, with
 what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
 `run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
@@ -111,7 +111,7 @@ def patterns(found):
 
 
 def run(target=None):
-    """Try all mistakes, or those of a topic or a lab, and write labkit/checks/hints.json.
+    """Try all mistakes, or those of a topic or a lab, and write tests/labs/hints.json.
 
     -> 0 if all are caught, else 1.
     """
@@ -129,7 +129,7 @@ def run(target=None):
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     places.write_whole(HINTS, as_json(made).encode("utf-8"))
-    print(f"{plural(sum(map(len, made.values())), 'sentence')} in labkit/checks/hints.json")
+    print(f"{plural(sum(map(len, made.values())), 'sentence')} in tests/labs/hints.json")
     return int(bool(alive))
 
 

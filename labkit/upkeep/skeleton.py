@@ -33,6 +33,7 @@ def run(check: bool = False, force: bool = False) -> int:
         return int(any(state != "in step" for _, _, state in standing))
 
     made, refused = manifest(), False
+    manifest_path().parent.mkdir(exist_ok=True)
     for path, text, state in standing:
         if state == "worked on" and not force:
             refused = True

@@ -22,7 +22,7 @@ CONTENTS = (
     "course/complete/*.py", "course/fast/*.py",
     "course/scenes/*.py", "labkit/checks/*.*", "labkit/upkeep/__init__.py",
     "labkit/upkeep/extras.py", "conftest.py",
-    "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
+    "tests/labs/*.*", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.
 PACKAGES = ["numpy", "scipy", "matplotlib", "pillow", "pytest", "rich"]

@@ -1,7 +1,7 @@
-"""The rooms of the course: imports go one way, from a room to those below it, never in a circle.
+"""The houses of the course: imports go one way, from a house to those below it, never in a circle.
 
-A room is a folder of course/ or apps/, also one in another folder, or a module that stands in none.
-The docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
+A house is a folder with all that is in it. The docstring of each folder's __init__.py is its sign:
+each thing in it on a line, below what it imports.
 
 The modules of course/complete and course/fast are modules of reference, and are called so here.
 Those of course/complete stand among the others, and those of course/fast above them.
@@ -18,35 +18,17 @@ from typing import NamedTuple
 
 import pytest
 
-from labkit import places
-
 ROOT = Path(__file__).parents[2]
-ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folder b of a,
-           # and whoever may import a may import every room in it
-    "given": (),
-    "reference": ("given",),
-    "fast": ("given", "reference"),
-    "scenes": ("given",),  # reference or labs come in by name, when they run
-    "apps.bridge": ("given",),  # likewise
-    "apps.bridge.nvdiffrast": ("apps.bridge", "given"),
-    "apps.bridge.neural_renderer": ("apps.bridge", "given"),
-    "apps.reconstruct": ("given", "scenes"),
-    "exercises": ("given",),
-    "imports": ("given", "exercises"),
-    "lab_text": ("exercises",),
-    "checks": ("given", "exercises"),  # the code under test comes in by name, when they run
-    "verdicts": ("given", "exercises", "imports", "checks"),
-    "board": ("given", "exercises", "checks", "verdicts"),
-    "upkeep": ("given", "exercises", "lab_text", "checks"),
-    "grading.apart": ("given", "exercises", "lab_text", "checks", "verdicts"),
-    "grading.handing": ("given", "exercises", "imports", "lab_text", "verdicts", "board"),
-    "grading.gradebook": ("given", "grading.apart", "grading.handing"),
-    "grading.pages": ("exercises", "imports", "checks", "grading.handing", "grading.gradebook"),
-    "grading": ("given", "exercises"),
-    "commands": ("given", "scenes", "apps", "board", "upkeep", "grading"),
-    "cli": ("given", "commands"),
-    "__main__": ("cli",)}
-OF_BOTH = {Path(folder).name for folder in places.of_both()}
+HOUSES = {  # each house, and those below it that it imports
+    "labkit": (),
+    "course.given": ("labkit",),
+    "reference": ("course.given",),
+    "course.fast": ("course.given", "reference"),
+    "course.scenes": ("labkit", "course.given"),  # reference or labs come in by name, as they run
+    "apps.bridge": ("labkit", "course.given"),    # likewise
+    "apps.reconstruct": ("labkit", "course.given", "course.scenes"),
+    "course": ("labkit", "course.scenes", "apps.bridge", "apps.reconstruct")}  # its commands
+OF_BOTH = "complete", "fast"  # folders of course/ whose modules are of reference and of labs
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
@@ -66,10 +48,10 @@ class Module(NamedTuple):
 
 
 def modules_there():
-    """{full name: Module} of reference, of the course and of the apps."""
-    paths = [path for folder in ("reference", "course", "apps")
+    """{full name: Module} of all houses, without their tests."""
+    paths = [path for folder in ("reference", "course", "labkit", "apps")
              for path in ROOT.glob(f"{folder}/**/*.py")
-             if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
+             if (path.parent / "__init__.py").exists() and "tests" not in path.parts]
     found = {}
     for path in paths:
         parts, is_folder = path.relative_to(ROOT).with_suffix("").parts, path.stem == "__init__"
@@ -96,30 +78,25 @@ def imports(name, modules):
                 yield whole if whole in modules else source
 
 
-def room(name, modules):
-    """labkit.checks.report -> checks, labkit.board -> board, reference.msaa -> reference."""
+def house(name, modules):
+    """course.given.mesh -> course.given, labkit.checks.report -> labkit, course.commands -> course.
+    """
     if modules[name].of_both == "fast":
-        return "fast"
-    folder = name if modules[name].is_folder else name.rpartition(".")[0]
-    return (name if folder == "course" else folder).removeprefix("course.")
-
-
-def may_import(importer, imported):
-    """Is a room, or a room that it is in, among those that the importer may import?"""
-    return any(f"{imported}.".startswith(f"{allowed}.")
-               for allowed in (importer, *ROOMS.get(importer, ())))
+        return "course.fast"
+    return max((one for one in HOUSES if f"{name}.".startswith(f"{one}.")), key=len, default=None)
 
 
 def wrong(modules):
     """A sentence for each import that breaks a rule, and for each circle."""
     needs = {name: set(imports(name, modules)) for name in modules}
     for name, imported in needs.items():
-        here = room(name, modules)
+        here = house(name, modules)
         for other in imported:
             if other in modules:
-                allowed = may_import(here, room(other, modules))
+                allowed = house(other, modules) in (here, *HOUSES.get(here, ()))
             else:
-                allowed = here not in ("reference", "fast") or other.split(".")[0] in OUTSIDE
+                allowed = (here not in ("reference", "course.fast")
+                           or other.split(".")[0] in OUTSIDE)
             if not allowed:
                 yield f"{name} imports {other}"
     try:
@@ -153,25 +130,24 @@ def name_in(folder, module, modules):
     return None if below == module else below.partition(".")[0]
 
 
-def test_a_room_stands_on_those_before_it():
-    """Two rooms may import each other."""
-    before = set()
-    for name, below in ROOMS.items():
-        assert set(below) <= before
-        before |= {name, name.partition(".")[0]}
+def test_a_house_stands_on_those_before_it():
+    """Two houses may import each other."""
+    houses = [*HOUSES]
+    for number, name in enumerate(houses):
+        assert {*HOUSES[name]} <= {*houses[:number]}
 
 
 def test_imports_go_one_way():
-    """A room needs one above it: neither is understood, moved or handed out without the other."""
+    """A house needs one above it: neither is understood, moved or handed out without the other."""
     modules = modules_there()
     assert list(wrong(modules)) == []
-    there = {room(name, modules) for name, module in modules.items() if not module.is_folder}
-    assert there == set(ROOMS), "a room is not listed"
+    there = {house(name, modules) for name, module in modules.items() if not module.is_folder}
+    assert there == set(HOUSES), "a house is not listed"
 
 
 @pytest.mark.parametrize(("module", "line", "imported"), [
     ("course.given.inputs", "from reference import msaa", "reference.msaa"),
-    ("course.given.inputs", "from .. import exercises", "labkit.exercises"),
+    ("course.given.inputs", "from .. import commands", "course.commands"),
     ("reference.msaa", "from course.scenes import demo",
      "course.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
@@ -183,12 +159,10 @@ def test_imports_go_one_way():
     ("apps.reconstruct.hulls", "from ..bridge import tensors", "apps.bridge.tensors"),
     ("labkit.checks.loader", "import reference.msaa", "reference.msaa"),
     ("labkit.checks.showing", "from .report import claim", ""),
-    ("labkit.board", "from .grading.pages.report import page", "labkit.grading.pages.report"),
+    ("labkit.board", "from course.given import mesh", "course.given.mesh"),
     ("labkit.grading.apart.wire", "def late():\n    import reference.msaa as module",
      "reference.msaa"),
-    ("labkit.grading.apart.wire", "from ..grade import run", "labkit.grading.grade"),
-    ("labkit.grading.gradebook.worth", "from ..pages import report", "labkit.grading.pages.report"),
-    ("labkit.grading.handing.pack", "from ... import cli", "course.cli")])
+    ("labkit.grading.handing.pack", "from course import commands", "course.commands")])
 def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     """The test above passes, whatever is imported."""
     modules = modules_there()
@@ -199,8 +173,7 @@ def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
 
 LOADED = """
 import ast, importlib, sys
-from labkit import exercises
-from course.given import places
+from labkit import exercises, places
 from course.scenes import demo
 for path in places.ROOT.glob("notebooks/*.ipynb"):
     for cell in exercises.cells(path, "code"):

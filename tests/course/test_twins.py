@@ -16,6 +16,7 @@ from submitted import CORE
 
 from labkit import contract, exercises
 from labkit.checks import loader
+from labkit.table import GIVEN
 from labkit.verdicts import run
 
 EACH = [(topic, exercise) for topic, asked in CORE.items() for exercise in asked]
@@ -27,7 +28,7 @@ CHANCE = {  # the same number for the example's input, by another rule
 def functions():
     """{"topic.name": function} of all that a lab may call: of the labs, and given."""
     modules = {topic: f"reference.{topic}" for topic in exercises.topics()}
-    modules |= {name: f"course.given.{name}" for name in exercises.GIVEN}
+    modules |= {name.rpartition(".")[2]: name for name in GIVEN}
     return {f"{topic}.{name}": found for topic, module in modules.items()
             for name, found in vars(importlib.import_module(module)).items()
             if isinstance(found, types.FunctionType) and found.__module__ == module}

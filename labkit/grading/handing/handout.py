@@ -11,18 +11,17 @@ import textwrap
 from pathlib import Path
 
 from ... import exercises, lab_text, places
-from ...table import COMPLETE, HANDED_OUT, USED, WITH_LABS
+from ...table import COMPLETE, HANDED_OUT, README, USED, WITH_LABS
 from . import archives
 
-WHOLE = ("labs.toml", "labkit/*.py", "labkit/checks/*.*", "labkit/upkeep/*.py",
+WHOLE = ("labs.toml", "labkit/*.py", "labkit/checks/*.py", "labkit/upkeep/*.py",
          *(f"labkit/grading/{name}.py" for name in (  # what packs
              "__init__", "handing/__init__", "handing/archives", "handing/contents",
              "handing/pack")),
-         "conftest.py", "tests/labs/[!t]*.py",  # what checks share
+         "conftest.py", "tests/labs/[!t]*.*",  # what checks share
          "pyproject.toml", *USED, *HANDED_OUT)
 TEACHERS = {f"labkit/upkeep/{name}.py" for name in (
     "changes", "mistakes", "mutants", "mutations", "trials")}
-README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
 def run(folder, labs=None, solutions=None, extra=False, spine=False, after=None) -> int:
