@@ -72,10 +72,9 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
 
-    grad_colour, colour (W, C), sees (W,): does a pixel see the face? share (2,) of eq. (8). side is
-    1 if the outside is where j grows, else -1. Add up `edge_pulls` as the lecture's loop does. Its
-    inner is the last pixel that is not outside. If inner or outer is off the line, the gradient is
-    0.
+    grad_colour, colour (W, C), sees (W,): is the face seen? share (2,) of eq. (8). Outside is where
+    j grows if side is 1, falls if -1. Add up `edge_pulls` as the lecture's loop does. inner is the
+    last pixel not outside. If inner or outer is off the line: 0.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

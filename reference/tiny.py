@@ -14,10 +14,9 @@ Which face a pixel sees has no gradient: it jumps. So two neighbouring pixels ar
 an outline crosses between them. This place has a gradient.
 
 `python3 reference/tiny.py` checks one derivative, and pulls a ball until it looks like a star.
-tiny.png shows the ball, what became of it, and the star.
+tiny.ppm, a file that most viewers open, shows the ball, what became of it, and the star.
 """
 import numpy as np
-from matplotlib import image
 
 EDGES = [(1, 2), (2, 0), (0, 1)]  # edge k of a face joins the two corners other than corner k
 
@@ -260,7 +259,9 @@ def main(size=64):
     found, _ = render(*descend(positions, grey, faces, camera, target), faces, camera, size)
     print("loss before, after:", before.round(4), ((found - target)**2).mean().round(4))
     shown = np.hstack([start, found, target])[..., :3].clip(0, 1)**(1 / 2.2)  # as displays want it
-    image.imsave("tiny.png", shown.repeat(4, 0).repeat(4, 1), origin="lower")
+    large = np.uint8(255 * shown[::-1]).repeat(4, 0).repeat(4, 1)  # a file begins at the top
+    with open("tiny.ppm", "wb") as file:
+        file.write(f"P6 {large.shape[1]} {large.shape[0]} 255\n".encode() + large.tobytes())
 
 
 if __name__ == "__main__":

@@ -108,8 +108,8 @@ def test_angles_without_area(impl):
 
 @exercise("13.2")
 def test_radius_ratios_on_paper(impl):
-    """The factor 2, the 4 of R, or R / r. `triangle_normals` is as long as twice the area. Half of the
-    perimeter is taken for a + b + c. It is another measure, with squares.
+    """The factor 2, the 4 of R, or R / r. `triangle_normals` is as long as twice the area. Half of
+    the perimeter is taken for a + b + c. It is another measure, with squares.
     """
     # 3, 4, 5: r = 1 and R = 5/2. Half of an equilateral one, 1, sqrt 3, 2: r = (sqrt 3 - 1) / 2.
     # Half of a square, 2, 2, sqrt 8: r = 2 - sqrt 2 and R = sqrt 2.
