@@ -4,7 +4,6 @@
 """
 import re
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 from rich.progress import track
@@ -24,16 +23,6 @@ TURNING = ("points are brighter on one side of the pictures, so the light turns 
            "pictures with a camera that goes around instead, or in even light")
 
 
-class Painted(NamedTuple):
-    """The last step: the Surface, its albedo told apart from the light, the colours (V, 3) of both
-    together, and sentences on the light.
-    """
-
-    surface: object
-    colours: np.ndarray
-    remarks: list
-
-
 def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
     """Find the mesh of what a folder's pictures show, and say how good it is and where. -> 0"""
     labs = Labs(implementation)
@@ -45,22 +34,22 @@ def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
             labs, photos, [k for k in range(len(photos.pictures)) if k not in new])
         surface = moved(labs, *searched(labs, capture), capture)
         print("telling paint from light, and cutting the surface into charts", flush=True)
-        found = told_apart(labs, surface, capture)
+        surface, colours, remarks = told_apart(labs, surface, capture)
         path = out(folder)
-        exports.save(labs, found.surface, path, photos.world_from_grid)
-        print(*found.remarks, *summary(labs, found, photos, new, path), sep="\n")
+        exports.save(labs, surface, path, photos.world_from_grid)
+        print(*remarks, *summary(labs, surface, colours, photos, new, path), sep="\n")
     return 0
 
 
-def summary(labs, found, photos, new, path):
+def summary(labs, surface, colours, photos, new, path):
     """The numbers, in lines. The pictures to them are written beside the mesh."""
-    pieces, genus = labs.reconstruction.genus(found.surface.faces)
+    pieces, genus = labs.reconstruction.genus(surface.faces)
     kind = "new views" if new else "views of the search, for there are no eight pictures"
-    seen = views.judged(labs, found.surface, found.colours, photos,
+    seen = views.judged(labs, surface, colours, photos,
                         new or list(range(len(photos.pictures))))
     sheet = path.with_name(f"{path.stem}_views.png")
     worst = views.write_sheet(seen, sheet)
-    return [f"{len(found.surface.faces):,} faces, pieces {pieces}, genus {genus}; "
+    return [f"{len(surface.faces):,} faces, pieces {pieces}, genus {genus}; "
             f"{views.psnr(seen):.1f} dB on the object in {len(seen)} {kind}; the worst:", *worst,
             f"{places.shown_path(path)}, and {sheet.name} with these views"]
 
@@ -99,11 +88,13 @@ def moved(labs, x, steps, capture):
 
 
 def told_apart(labs, surface, capture):
-    """Painted: the shape stays."""
+    """The last step, in which the shape stays -> the Surface with its albedo told apart from the
+    light, the colours (V, 3) of both together, and sentences on the light.
+    """
     lab = labs.intrinsic_decomposition
     targets = labs.multi_view_fit.targets_of(capture, 1, 1)
     look = lab.decompose(surface, targets)
     remarks = [UNSURE.format(100 * labs.ambiguity.doubt(surface, targets, look))]
     if labs.ambiguity.turning(surface, targets, lab.seen_colours(surface, targets)[0]) > TURNS:
         remarks.append(TURNING)
-    return Painted(surface._replace(albedo=look.albedo), lab.shaded_colours(surface, look), remarks)
+    return surface._replace(albedo=look.albedo), lab.shaded_colours(surface, look), remarks

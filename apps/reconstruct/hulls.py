@@ -213,16 +213,13 @@ def directions(outlines, towards):
 
 def disagreement(outlines, scene):
     """A sentence on cameras and silhouettes that have no point in common."""
-    away = looking_away(outlines, nearest_to_axes(outlines))
-    seen = "look away from what their pictures show" if away else "do not agree"
-    title = f"the cameras in {scene.file} {seen}"
-    if 2 * len(away) < len(outlines):
-        without = [one.shot.name for k, one in enumerate(outlines)
-                   if len(hull_around(outlines[:k] + outlines[k + 1:])[0])]
-        title = "no point of space is in the silhouettes of all pictures"
-        if without:
-            return (f"{title}, but without {' or '.join(without[:5])} there is one: look at the "
-                    "camera and the mask of that picture, or leave it out")
+    without = [one.shot.name for k, one in enumerate(outlines)
+               if len(hull_around(outlines[:k] + outlines[k + 1:])[0])]
+    if without:
+        return ("no point of space is in the silhouettes of all pictures, but without "
+                f"{' or '.join(without[:5])} there is one: look at the camera and the mask of that "
+                "picture, or leave it out")
+    title = f"the cameras in {scene.file} do not agree"
     if scene.file.endswith(".json") and (advice := convention(outlines)):
         return f"{title}: a camera looks along its own -z, and y is up, but these matrices {advice}"
     return (f"{title}, and leaving one out does not help: does each matrix lead from the camera to "
@@ -243,11 +240,6 @@ def changed(outlines, changes):
         outlines = [one._replace(shot=one.shot._replace(
             world_from_camera=change(one.shot.world_from_camera))) for one in outlines]
     return outlines
-
-
-def looking_away(outlines, point):
-    """The names of the pictures whose cameras have a point (3,) behind them."""
-    return [one.shot.name for one in outlines if seen_at(one.shot, point[None])[2][0] <= 0]
 
 
 def doubts(outlines, points, reach):
