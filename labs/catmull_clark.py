@@ -168,13 +168,6 @@ def catmull_clark(vertices, corners, counts):
     return S @ np.asarray(vertices), quads.ravel(), np.full(len(quads), 4)
 
 
-def catmull_clark_backward(grad_new, vertices, corners, counts):
-    """Backward of `catmull_clark`: grad_new (V + E + F, C) -> grad_vertices (V, C)."""
-    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient with respect
-    # to old_j is the sum of S_ij grad_new_i over i, which is S^T grad_new.
-    return catmull_clark_matrix(corners, counts, len(vertices)).T @ np.asarray(grad_new)
-
-
 # The limit
 
 

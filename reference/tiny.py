@@ -96,8 +96,8 @@ def interpolate_backward(grad_picture, kept, colours, w):
     grad_colours = np.zeros(colours.shape)
     grad_x, grad_y, grad_w = np.zeros((3, len(colours)))
     grad = grad_picture[row, column]
-    np.add.at(grad_colours, corner, b[..., None] * grad)
-    grad_b = (grad * colours[corner]).sum(-1)
+    np.add.at(grad_colours, corner, b[..., None] * grad)  # each corner gave b of its colour
+    grad_b = (grad * colours[corner]).sum(-1)  # over the channels
     grad_c = (grad_b - (b * grad_b).sum(0)) / s  # b_k = c_k / s, and each c_k is a part of s
     grad_e = grad_c / w[corner]
     np.add.at(grad_w, corner, -grad_e * b * s)  # dc/dw = -c / w, and c = b s
@@ -118,8 +118,8 @@ def outlines(x, y, faces):
 def row_pairs(x, y, faces, seen, nearest, number):
     """(Lab 8) Neighbours in a row that see different faces, with an outline between their centres.
 
-    The outline belongs to the nearer face, and is where the line from that face's pixel to the
-    other pixel leaves the face: at the last of its edges that the line meets.
+    It is an outline of the nearer face. The line y = row + 0.5 runs through both centres. On the
+    way from the nearer face's pixel it leaves that face by the last edge that it meets.
     """
     row, column = np.nonzero(seen[:, :-1] != seen[:, 1:])  # of the left pixel
     is_left = nearest[row, column] < nearest[row, column + 1]  # is the left face the nearer one?
@@ -127,7 +127,7 @@ def row_pairs(x, y, faces, seen, nearest, number):
     start = faces[face][:, [1, 2, 0]].T  # (3, N), the points where edges 0, 1 and 2 start
     end = faces[face][:, [2, 0, 1]].T
     meets = (y[start] < row + 0.5) != (y[end] < row + 0.5)  # one end below the line, one above
-    rise = np.where(meets, y[end] - y[start], np.inf)
+    rise = np.where(meets, y[end] - y[start], np.inf)  # never divide by 0
     slope = (x[end] - x[start]) / rise
     share = (row + 0.5 - y[start]) / rise  # how far from start to end the edge meets the line
     crossing = x[start] + share * (x[end] - x[start])
@@ -215,7 +215,8 @@ def descend(positions, colours, faces, camera, target, steps=400):
     joined = np.zeros((len(positions), len(positions)))
     for i, j in EDGES:
         joined[faces[:, i], faces[:, j]] = 1  # each edge is in two faces, once from either end
-    smooth = np.linalg.inv(np.eye(len(positions)) + np.diag(joined.sum(0)) - joined)
+    laplacian = np.diag(joined.sum(0)) - joined  # a point's neighbours times it, less all of them
+    smooth = np.linalg.inv(np.eye(len(positions)) + laplacian)
     velocity = 0
     for step in range(steps):
         _, grad_x, grad_colours = loss_and_gradients(positions, colours, faces, camera, target)

@@ -25,7 +25,6 @@ GALLERY = {  # lecture: the file, and the part of it that is shown
     "13_regularization": ("notebooks/openings/13_regularization.png", (1290, 45, 1920, 517)),
 }
 FILM = DATA / "reconstruction.png"
-SPANS = {"spine": "A week", "core": "A term"}  # as README.md calls them
 ZIP = "differentiable-rasterization"
 LITE = " Labs and lectures also run [in the browser](/in_the_browser.md), with nothing to install."
 
@@ -47,8 +46,8 @@ def write(folder, extra, lite):
 def page(get, lite):
     """The front page's text. ValueError or AttributeError: README.md lacks a number."""
     readme = exercises.read(ROOT / "README.md")
-    numbers = {name: re.search(rf"{span}\W+ is (\d+) exercises, about (\d+) hours",
-                               readme).groups() for name, span in SPANS.items()}
+    numbers = {name: re.search(rf"{span}\W+ is (\d+) exercises, about (\d+) hours", readme).groups()
+               for name, span in (("spine", "A week"), ("core", "A term"))}
     return exercises.read(Path(__file__).with_name("front.md")).format(
         labs=len(exercises.LABS), get=get, lite=LITE if lite else "", film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)

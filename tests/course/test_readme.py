@@ -1,8 +1,5 @@
 """The README: its lines run, its numbers are true, its links lead somewhere, and it is short."""
-import os
 import re
-import subprocess
-import sys
 
 import pytest
 
@@ -14,14 +11,13 @@ TEXT = (places.ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
 
 
-def test_its_lines_draw_a_picture_and_print_one_number_twice(tmp_path):
+def test_its_lines_draw_a_picture_and_print_one_number_twice(tmp_path, monkeypatch, capsys):
     """The first lines that a visitor tries fail, or the gradient is not the difference."""
-    assert [len(block.split("\n\n")[-1].splitlines()) for block in BLOCKS] == [7, 5]
-    done = subprocess.run([sys.executable, "-c", "".join(BLOCKS)], cwd=tmp_path, text=True,
-                          capture_output=True, timeout=100,
-                          env={**os.environ, "PYTHONPATH": str(places.ROOT)})
-    gradient, difference = map(float, done.stdout.split())
-    assert done.stderr == "" and gradient == pytest.approx(difference, rel=1e-6)
+    assert len("".join(BLOCKS).splitlines()) <= 22
+    monkeypatch.chdir(tmp_path)
+    exec("".join(BLOCKS), {})
+    gradient, difference = map(float, capsys.readouterr().out.split())
+    assert gradient == pytest.approx(difference, rel=1e-6)
     bunny = image.read(tmp_path / "bunny.png")
     assert 0.2 < (bunny < 1).any(-1).mean() < 0.6
 

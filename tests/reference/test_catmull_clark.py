@@ -4,7 +4,6 @@ import pytest
 from subdivision_meshes import farthest
 from triangle_meshes import POLYGONS, each_polygon_mesh
 
-from course.given.gradcheck import gradcheck
 from reference import catmull_clark, subdivision
 
 # --- both versions, and others' ------------------------------------------------------------------
@@ -43,16 +42,6 @@ def test_a_step_does_not_change_catmull_clarks_limit(vertices, corners, counts):
     new = catmull_clark.catmull_clark(vertices, corners, counts)
     after = catmull_clark.catmull_clark_limit_matrix(*new[1:], len(new[0])) @ new[0]
     np.testing.assert_allclose(after[:len(vertices)], limit @ vertices, rtol=0, atol=1e-14)
-
-
-# --- gradients -----------------------------------------------------------------------------------
-
-def test_catmull_clark_has_a_gradient():
-    """S for its transpose. Colours, two to a vertex, ride along."""
-    vertices, corners, counts = POLYGONS["house, open"]
-    colours = np.random.default_rng(3).random((len(vertices), 2))
-    gradcheck(lambda *given: catmull_clark.catmull_clark(*given)[0],
-              catmull_clark.catmull_clark_backward, (colours, corners, counts), name="quads")
 
 
 # --- broken input --------------------------------------------------------------------------------

@@ -201,20 +201,17 @@ def test_faces_may_be_integers_of_any_kind(dtype):
         np.testing.assert_array_equal(got, wanted)
 
 
-@pytest.mark.parametrize(("faces", "sentence"), [
-    (np.array([[0.9, 1.9, 2.9]]), "integers from 0 to 2.*of float64"),
-    ([[0, 1, 2]], "got a list: give an array"),
-    (np.array([[0, 1, 3]]), "face 0 names vertex 3")])
-def test_a_mesh_is_made_of_integers(faces, sentence):
+def test_a_mesh_is_made_of_integers():
     """Floats are cut off to integers, and nobody sees it any more."""
-    with pytest.raises(ValueError, match=sentence):
-        pipeline.make_mesh(np.zeros((3, 3)), faces)
+    with pytest.raises(ValueError, match=r"integers from 0 to 2.*of float64"):
+        pipeline.make_mesh(np.zeros((3, 3)), np.array([[0.9, 1.9, 2.9]]))
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_the_outline_belongs_to_these_faces_in_this_order(name):
     """Faces are sorted, or their corners turned, and opposite is still that of before."""
     shape, surface, view = scene(name)
+    pipeline.render(shape, surface, view)
     order = np.random.default_rng(0).permutation(len(shape.faces))
     swapped = np.arange(len(order))
     swapped[[0, -1]] = swapped[[-1, 0]]
@@ -223,13 +220,7 @@ def test_the_outline_belongs_to_these_faces_in_this_order(name):
         with pytest.raises(ValueError, match="of these faces in this order; make_mesh does that"):
             pipeline.render(shape._replace(faces=faces), surface, view)
         pipeline.render(pipeline.make_mesh(shape.positions, faces), surface, view)
-
-
-def test_the_outline_is_asked_for_each_picture():
-    """A mesh that was found sound once is believed, although its faces have changed in place."""
-    shape, surface, view = scene("torus")
-    pipeline.render(shape, surface, view)
-    shape.faces[:] = shape.faces[:, [1, 2, 0]]
+    shape.faces[:] = shape.faces[:, [1, 2, 0]]  # in place, after it was found sound
     with pytest.raises(ValueError, match="of these faces in this order; make_mesh does that"):
         pipeline.render(shape, surface, view)
 

@@ -72,11 +72,3 @@ def test_it_is_a_page_that_needs_numpy_alone():
                if isinstance(node, ast.Import | ast.ImportFrom)]
     assert len(text.splitlines()) <= 270
     assert [ast.unparse(node) for node in imports] == ["import numpy as np"]
-
-
-@pytest.mark.parametrize("shift", [[9, 0], [-9, 0], [0, 9], [0, -9]])
-def test_what_lies_beside_the_picture_is_not_drawn(shift):
-    """A box with less than no pixels is an error."""
-    positions, colours, faces = lumps()
-    picture, _ = tiny.render(positions + [*shift, 0], colours, faces, CAMERA, 9)
-    assert not picture.any()
