@@ -53,6 +53,7 @@ from labkit.upkeep import errata, outcomes, pictures, weight
 
 FOLDER = ROOT / "notebooks"
 RECORD = FOLDER / ".made_from.json"
+OURS = "course/", "labs/", "reference/"             # whose files make a lecture older
 AT_A_TIME = 2
 TIME_LIMIT = 180                                   # a processor's seconds for a notebook
 PATIENCE = 600                                     # seconds until a kernel starts or says more
@@ -240,7 +241,7 @@ def executed(path):
         client.execute_cell(ask, len(notebook.cells) - 1)
     notebook.cells.remove(ask)
     files = map(places.shown_path, ask.outputs[0].text.splitlines())
-    return notebook, sorted(file for file in files if file.startswith(("course/", "reference/")))
+    return notebook, sorted(file for file in files if file.startswith(OURS))
 
 
 class ThisInterpreter(KernelSpecManager):

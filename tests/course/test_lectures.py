@@ -70,7 +70,7 @@ def test_a_lecture_opens_with_its_best_picture(path):
     opening = path.parent / "openings" / f"{path.stem}.png"
     assert re.search(rf'<img src="openings/{opening.name}" width="\d+" alt="[^"]{{40,}}">',
                      exercises.cells(path)[0])
-    assert notebooks.openings(path.read_text(encoding="utf-8")) == [opening.read_bytes()]
+    assert notebooks.openings(notebooks.parsed(path)) == [opening.read_bytes()]
 
 
 @each_lecture
