@@ -15,9 +15,9 @@ from labkit.grading.request import Request
 
 @pytest.fixture
 def stand_in(monkeypatch):
-    """stand_in("scenes.demo", run=function) puts it in that module's place in the course."""
+    """stand_in("board", check=function) puts it in that module's place."""
     def put(module, **functions):
-        module = module if module.startswith("apps.") else f"course.{module}"
+        module = module if module.startswith(("apps.", "course.")) else f"labkit.{module}"
         monkeypatch.setitem(sys.modules, module, SimpleNamespace(**functions))
         monkeypatch.setattr(module, sys.modules[module], raising=False)
     return put
@@ -27,8 +27,8 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
-    ("demo", "scenes.demo.run", ([], None), {}),
-    ("demo bunny shadow --impl labs", "scenes.demo.run", (["bunny", "shadow"], "labs"), {}),
+    ("demo", "course.scenes.demo.run", ([], None), {}),
+    ("demo bunny shadow --impl labs", "course.scenes.demo.run", (["bunny", "shadow"], "labs"), {}),
     ("reconstruct in", "apps.reconstruct.command.run", ("in", 128, None), {}),
     ("reconstruct in --size 64 --impl labs", "apps.reconstruct.command.run",
      ("in", 64, "labs"), {}),
@@ -75,7 +75,7 @@ def test_a_command_calls_its_function_and_passes_its_status_on(
 
 def test_the_list_of_scenes_is_printed(stand_in, capsys):
     """--list renders everything, or shows nothing."""
-    stand_in("scenes.demo", SCENES=("cow", "moon"), title="The {}.".format)
+    stand_in("course.scenes.demo", SCENES=("cow", "moon"), title="The {}.".format)
     assert cli.main(["demo", "--list"]) == 0
     assert [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()] == [
         ["cow", "The cow."], ["moon", "The moon."]]
@@ -115,7 +115,7 @@ def demo_runs(stand_in, monkeypatch, tmp_path):
     def put(folder, text):
         path, = put_files(tmp_path, {f"{folder}/part.py": text})
         monkeypatch.setattr(cli, "ROOT", tmp_path.resolve())
-        stand_in("scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
+        stand_in("course.scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
     return put
 
 
@@ -144,7 +144,7 @@ def test_a_defect_shows_its_traceback(demo_runs, folder, text):
 
 
 @pytest.mark.parametrize(("line", "module", "told"), [
-    ("demo", "scenes.demo", ""),
+    ("demo", "course.scenes.demo", ""),
     ("grade in --out out", "grading.grade", "course: stopped; what is graded is kept: the same "
      "command with --resume goes on\n")], ids=["quiet", "how to go on"])
 def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
@@ -159,7 +159,7 @@ def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
     """A Windows console of old crashes on the first tick."""
-    stand_in("scenes.demo", SCENES=("cow",), title=lambda _: "50 \u2713 faces")
+    stand_in("course.scenes.demo", SCENES=("cow",), title=lambda _: "50 \u2713 faces")
     console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
     monkeypatch.setattr(sys, "stdout", console)
     assert cli.main(["demo", "--list"]) == 0
