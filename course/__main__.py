@@ -64,8 +64,7 @@ def main():
         return say(f"cannot set up {VENV} ({error}): {remedy}, then start again")
 
     sys.path[0] = str(ROOT)  # for "python3 /path/to/course" from any folder
-    from course import commands  # noqa: F401  # labkit lists them
-    from labkit import cli
+    from course.commands import cli
     return cli.main()
 
 

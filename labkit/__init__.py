@@ -15,4 +15,7 @@ labs.toml tells it of a course. A course of other exercises has this folder, and
     board        a screen: what is done, and what to do next
     upkeep       what makes labs, hints and notebooks
     grading      hand out, grade, report
+    commands     what each command takes, and what it starts
+    cli          the command line: its help, its errors
+    __main__     starts it
 """

@@ -3,6 +3,8 @@ import argparse
 from collections.abc import Callable
 from typing import NamedTuple
 
+from .table import LABS
+
 LOOK, DO = "to look and to read", "to do the labs"
 TEACH, WORK = FOR_TEACHERS = "to teach", "to work on the course"  # not in a copy for students
 
@@ -51,7 +53,7 @@ SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
 TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
 OPENED = option("target", metavar="TARGET",
-                help="an exercise (2.14), a lab (2), labs (1-3) or a topic (scanline)")
+                help=f"an exercise (1.2), a lab (1), labs (1-3) or a topic ({LABS[0][0]})")
 
 
 # --- to do the labs -----------------------------------------------------------------------------
@@ -60,7 +62,7 @@ OPENED = option("target", metavar="TARGET",
 @command(
     DO, "check [TARGET]",
     option("target", nargs="?", metavar="TARGET",
-           help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything"),
+           help=f"a topic ({LABS[0][0]}), a lab (1) or an exercise (1.2); without, everything"),
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check"),
     option("--watch", action="store_true", help="check again whenever a file is saved"),
     option("--pictures", action="store_true",

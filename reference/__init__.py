@@ -5,4 +5,4 @@ course/fast, and are imported from here as from labs: what they import in turn i
 """
 from pathlib import Path
 
-__path__ += [str(Path(__file__).parents[1] / "course" / room) for room in ("complete", "fast")]
+__path__ += [str(Path(__file__).parents[1] / "course" / folder) for folder in ("complete", "fast")]

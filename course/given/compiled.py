@@ -1,7 +1,7 @@
 """Compiled: loops that numba turns into machine code, where it is installed, and all cores.
 
     @kernel            a function of loops over arrays: compiled by numba, else plain Python
-    @has_kernels(room) a function of NumPy that room's compiled function of its name may replace
+    @has_kernels(name) a function of NumPy that a module's compiled function of its name may replace
     each_band          bands of a picture's rows, on all cores, their results in order
 
 numba is never needed. With it, what is drawn is the same to the bit, and sooner. Only the reference
@@ -41,19 +41,19 @@ def kernel(function):
         return compiled()(function)
 
 
-def has_kernels(room):
+def has_kernels(module):
     """A decorator for functions of the reference: where numba is installed, the function of the
-    same name in course/fast/ROOM.py takes their place, unless that was not handed out.
+    same name in course/fast/MODULE.py takes their place, unless that was not handed out.
     """
     def decorate(function):
         package, _, _ = function.__module__.partition(".")
         if package != "reference" or not is_installed() or not importlib.util.find_spec(
-                f"{package}.{room}"):
+                f"{package}.{module}"):
             return function
 
         @functools.wraps(function)
         def compiled(*args, **kwargs):
-            kernels = importlib.import_module(f"{package}.{room}")  # numba's import takes a while
+            kernels = importlib.import_module(f"{package}.{module}")  # numba's import takes a while
             return getattr(kernels, function.__name__)(*args, **kwargs)
 
         return compiled

@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 import pytest
 
+from labkit import exercises
+
 ROOT = Path(__file__).parents[2]
 HOUSES = {  # each house, and those below it that it imports
     "labkit": (),
@@ -200,7 +202,18 @@ def test_no_lecture_lab_or_scene_loads_an_app(line, loaded):
     assert done.stdout == f"{loaded}\n", done.stderr
 
 
-def test_every_room_has_its_sign():
+@pytest.mark.parametrize("more", [(), ["transforms.look_at is shown"]])
+def test_labkit_knows_no_topic(more):
+    """A sentence, a path or a number of this course: another one cannot be graded with it."""
+    said = [node.value for name, module in modules_there().items() if name.startswith("labkit")
+            for parent in ast.walk(parsed(module.text)) if not isinstance(parent, ast.Expr)
+            for node in ast.iter_child_nodes(parent)  # and docstrings may have examples
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    words = {word for text in [*said, *more] for word in re.findall(r"\w+", text)}
+    assert words & {*exercises.TOPICS} == {*(["transforms"] if more else [])}
+
+
+def test_every_folder_has_its_sign():
     """Who comes in has to open every module to know what is where, and in which order to read."""
     assert sorted(wrong_signs(modules_there())) == []
 
