@@ -27,11 +27,7 @@ def run(check: bool = False, force: bool = False) -> int:
     """
     standing = labs()
     if check:
-        for path, _, state in standing:
-            advice = f": run {COMMAND} skeleton" if state == "stale" else ""
-            print(f"labs/{path.name}: {state}{advice}")
-        return int(any(state != "in step" for _, _, state in standing))
-
+        return tell(standing)
     made, refused = manifest(), False
     manifest_path().parent.mkdir(exist_ok=True)
     for path, text, state in standing:
@@ -47,6 +43,14 @@ def run(check: bool = False, force: bool = False) -> int:
         made[path.name] = exercises.digest(text)
     places.write_whole(manifest_path(), f"{json.dumps(made, indent=2, sort_keys=True)}\n".encode())
     return int(refused)
+
+
+def tell(standing):
+    """Say how the labs stand -> 0 if all are in step."""
+    for path, _, state in standing:
+        advice = f": run {COMMAND} skeleton" if state == "stale" else ""
+        print(f"labs/{path.name}: {state}{advice}")
+    return int(any(state != "in step" for _, _, state in standing))
 
 
 def labs():

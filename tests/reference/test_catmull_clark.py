@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 from subdivision_meshes import farthest
-from triangle_meshes import POLYGONS, each_polygon_mesh
+from triangle_meshes import each_polygon_mesh
 
 from reference import catmull_clark, subdivision
 

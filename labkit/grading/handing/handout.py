@@ -107,13 +107,11 @@ def release(labs, path) -> int:
 
 def files(asked, released, extra, spine):
     """Yield (name, bytes) of all that is handed out."""
-    for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
+    patterns = *WHOLE, *(pattern for topic, pattern in WITH_LABS.items() if topic in asked)
+    for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
             yield name, path.read_bytes()
-    for topic, pattern in WITH_LABS.items():
-        for path in places.ROOT.glob(pattern) if topic in asked else ():
-            yield places.shown_path(path), path.read_bytes()
     for package in ["labs", *(["reference"] if released else [])]:
         yield f"{package}/__init__.py", (places.ROOT / package / "__init__.py").read_bytes()
     yield from labs_of(asked, released, extra, spine)
