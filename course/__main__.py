@@ -1,6 +1,6 @@
-"""python3 -m course: find or make an environment that has requirements.txt, then run cli.py.
+"""python3 -m course: find or make an environment that has requirements.txt, then run commands.py.
 
-Where everything is there already (conda, an active environment), this goes straight on to cli.py.
+Where everything is there already (conda, an active environment), this goes straight on to commands.py.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
 The command run needs apps/bridge/requirements.txt as well, and the web site
@@ -64,8 +64,8 @@ def main():
         return say(f"cannot set up {VENV} ({error}): {remedy}, then start again")
 
     sys.path[0] = str(ROOT)  # for "python3 /path/to/course" from any folder
-    from course.commands import cli
-    return cli.main()
+    from course import commands
+    return commands.main()
 
 
 def asked():

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 
-from labkit import cli  # noqa: F401  course/__main__.py starts it, with these commands
+from labkit.cli import main  # noqa: F401  __main__.py starts it, with the commands below
 from labkit.commands import LOOK, WORK, command, option, whole_number
 from labkit.places import ROOT
 

@@ -9,7 +9,7 @@ from labkit import places
 
 FREED = """
 import numpy as np
-from course.given import memory
+from labkit import memory
 {hold}
 def resident():
     return int(open("/proc/self/statm").read().split()[1]) * 4096

@@ -29,7 +29,7 @@ def main():
 
 def lay_out(root):
     """A repository of its own at root: the course's start, one requirement, a shelf of packages."""
-    put(root, {"course/__init__.py": "", "course/cli.py": STAND_IN,
+    put(root, {"course/__init__.py": "", "course/commands.py": STAND_IN,
                "requirements.txt": "pebble>=1.0  # a package that nobody has\n"})
     shutil.copy(COURSE / "__main__.py", root / "course")
     for name in ("pebble", "stone"):
@@ -310,5 +310,5 @@ if os.name == "posix":  # Ctrl-C as a terminal sends it: to the start and to wha
     def command(root, *lines):
         """Let the copy's command do this."""
         body = "".join(f"    {line}\n" for line in lines)
-        (root / "course" / "cli.py").write_text(
+        (root / "course" / "commands.py").write_text(
             f"import os, time\nfrom pathlib import Path\ndef main():\n{body}")
