@@ -1,6 +1,6 @@
 """python3 -m course: find or make an environment that has requirements.txt, then run commands.py.
 
-Where everything is there already (conda, an active environment), this goes straight on to commands.py.
+Where everything is there already (conda, an active environment), this goes on to commands.py at once.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
 The command run needs apps/bridge/requirements.txt as well, and the web site
