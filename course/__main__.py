@@ -1,6 +1,6 @@
 """python3 -m course: find or make an environment that has requirements.txt, then run commands.py.
 
-Where everything is there already (conda, an active environment), this goes on to commands.py at once.
+Where everything is there already (conda, an active environment), commands.py is run at once.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
 The command run needs apps/bridge/requirements.txt as well, and the web site
