@@ -72,42 +72,45 @@ def seen(clip, faces, width, height):
     """
     points, outcode = screen_vertices(clip, width, height)
     draw = draw_shares if len(faces) > width * height else draw_bands
-    is_sound, face_index, depth = draw(faces, points, outcode, width, height)
+    is_sound, buffer = draw(face_kernels.Faces(faces, points, outcode), width, height)
     if not is_sound:
         inputs.require_faces(faces, len(clip))
-    return points, face_index.reshape(height, width), depth.reshape(height, width)
+    return (points, buffer.face_index.reshape(height, width),
+            buffer.depth.reshape(height, width))
 
 
-def draw_bands(faces, points, outcode, width, height):
-    """Bands of rows, each drawn by one thread -> whether the faces are sound, face_index, depth.
+def draw_bands(faces, width, height):
+    """Bands of rows, each drawn by one thread -> whether the Faces are sound, and a ZBuffer.
 
     Each band looks at all faces. That is worth it where its pixels then stay in the cache.
     """
-    size = width * height
-    face_index, depth = np.empty(size, np.int32), np.empty(size)
+    size, buffer = width * height, z_buffer(width, height)
 
-    def band(bottom, top):
-        return face_kernels.draw_faces(faces, points, outcode, width, height, 0, len(faces),
-                                       bottom, top, face_index, depth)
+    def band(*rows):
+        return face_kernels.draw_faces(faces, (0, len(faces.corners)), rows, height, buffer)
 
-    threads = threads_for(max(len(faces), size))
-    count = max(threads, min(size // CACHED, size // (8 * len(faces) + 1)))
-    return all(list(each_band(band, parts(height, count), threads))), face_index, depth
+    threads = threads_for(max(len(faces.corners), size))
+    count = max(threads, min(size // CACHED, size // (8 * len(faces.corners) + 1)))
+    return all(list(each_band(band, parts(height, count), threads))), buffer
 
 
-def draw_shares(faces, points, outcode, width, height):
+def draw_shares(faces, width, height):
     """A share of the faces for each thread, with a z-buffer of its own: otherwise `draw_bands`."""
-    def share(first, end):
-        face_index, depth = np.empty(width * height, np.int32), np.empty(width * height)
-        is_sound = face_kernels.draw_faces(faces, points, outcode, width, height, first, end,
-                                           0, height, face_index, depth)
-        return is_sound, face_index, depth
+    def share(*part):
+        buffer = z_buffer(width, height)
+        return face_kernels.draw_faces(faces, part, (0, height), height, buffer), buffer
 
-    (is_sound, *nearest), *others = on_all_cores(share, len(faces), len(faces))
-    for other_is_sound, *other in others:
+    (is_sound, nearest), *others = on_all_cores(share, len(faces.corners), len(faces.corners))
+    for other_is_sound, other in others:
         is_sound &= other_is_sound
-        face_kernels.keep_nearest(*nearest, *other)
-    return is_sound, *nearest
+        face_kernels.keep_nearest(nearest, other)
+    return is_sound, nearest
+
+
+def z_buffer(width, height):
+    """A ZBuffer of which nothing is written but the columns' centres."""
+    size = width * height
+    return face_kernels.ZBuffer(np.arange(width) + 0.5, np.empty(size, np.int32), np.empty(size))
 
 
 def rasterize(clip, faces, width, height):
@@ -131,9 +134,8 @@ def barycentrics(face_index, points, faces):
     height, width = face_index.shape
     weights = np.empty((3, height * width))
 
-    def band(bottom, top):
-        pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
-                                       tuple(weights))
+    def band(*rows):
+        pixel_kernels.barycentric_rows(grid_of(face_index), points, faces, rows, weights)
 
     on_all_cores(band, height, face_index.size)
     return weights.reshape(3, height, width).transpose(1, 2, 0)
@@ -145,10 +147,11 @@ def coloured(face_index, points, faces, colours, background):
     """
     height, width = face_index.shape
     weights, colour = np.empty((3, height * width)), np.empty((height, width, len(background)))
+    shape = pixel_kernels.Shape(points, faces, colours)
 
-    def band(bottom, top):
-        pixel_kernels.colour_rows(face_index.ravel(), points, faces, colours, background, width,
-                                  bottom, top, tuple(weights), colour.ravel())
+    def band(*rows):
+        pixel_kernels.colour_rows(grid_of(face_index), shape, rows, background, weights,
+                                  colour.ravel())
 
     on_all_cores(band, height, face_index.size)
     return weights.reshape(3, height, width).transpose(1, 2, 0), colour
@@ -157,31 +160,33 @@ def coloured(face_index, points, faces, colours, background):
 def blended_pairs(face_index, depth, points, faces, opposite):
     """`outlines.blended_pairs`, from the points of `screen_vertices`."""
     height, width = face_index.shape
-    face_index, depth = face_index.ravel(), depth.ravel()
-    silhouettes = np.zeros(len(faces), np.uint8)
+    screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
+    surface = pair_kernels.Surface(points, faces, opposite, np.zeros(len(faces), np.uint8))
 
-    def band(bottom, top):
-        room = 2 * (top - bottom) * width
-        numbers, places = np.empty((6, room), np.intp), np.empty((5, room))
-        beside, count = pair_kernels.find_pairs(face_index, depth, points, faces, opposite,
-                                                silhouettes, width, (bottom, top, height),
-                                                numbers, places)
-        return numbers[:, :count].copy(), places[:, :count].copy(), beside
+    def band(*rows):
+        pairs = room_for_pairs(2 * (rows[1] - rows[0]) * width)
+        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs)
+        return outlines.Pairs(*(part[..., :count].copy() for part in pairs)), beside
 
-    numbers, places = in_order(list(in_bands(band, width, height)))
-    owner, other, *_, face, edge = numbers
-    return outlines.Pairs(owner, other, places[0], numbers[2:4], places[1:3], places[3:], face,
+    found = list(in_bands(band, width, height))
+    return outlines.Pairs(*(in_order(parts, [beside for _, beside in found])
+                            for parts in zip(*(pairs for pairs, _ in found), strict=True)))
+
+
+def room_for_pairs(count):
+    """Pairs of which nothing is written yet."""
+    owner, other, face, edge = np.empty((4, count), np.intp)
+    x, y = np.empty((2, 2, count))
+    return outlines.Pairs(owner, other, np.empty(count), np.empty((2, count), np.intp), x, y, face,
                           edge)
 
 
-def in_order(found):
-    """numbers and places of bands, of which the first k are beside each other -> those of all."""
-    numbers, places, counts = zip(*found, strict=True)
-    if len(found) == 1:
-        return numbers[0], places[0]
-    return tuple(np.concatenate([part[:, :k] for part, k in zip(parts, counts, strict=True)]
-                                + [part[:, k:] for part, k in zip(parts, counts, strict=True)], 1)
-                 for parts in (numbers, places))
+def in_order(parts, beside):
+    """A field of bands, of which the first k pairs are beside each other -> that of all."""
+    if len(parts) == 1:
+        return parts[0]
+    return np.concatenate([part[..., :k] for part, k in zip(parts, beside, strict=True)]
+                          + [part[..., k:] for part, k in zip(parts, beside, strict=True)], -1)
 
 
 def visible(clip, faces, width, height):
@@ -236,60 +241,64 @@ def through_texture(grad_picture, buffers, faces, material):
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, grad):
-    """Adds the gradients of the blended edges to grad (V, 4 or more), and finds those of their
-    pixels' colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
+def pairs_backward(grad_picture, buffers, grad_clip):
+    """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
+    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
     """
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
-    pixels = np.empty(2 * len(pairs.c), np.intp)
-    grad_pixels = np.empty(len(pixels) * channels)
+    grad_pixels = np.empty((len(pairs.c), 2, channels))
     are_there = pair_kernels.blend_backward(
         grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), buffers.clip,
-        width, height, grad, pixels, grad_pixels)
+        (width, height), grad_clip, grad_pixels)
     if not are_there:
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")
-    return pixels, grad_pixels
+    pixels = np.stack([pairs.owner[:len(pairs.c)], pairs.other[:len(pairs.c)]], -1)
+    return pixels.ravel(), grad_pixels.ravel()
 
 
 def through_colours(grad_picture, buffers, faces, material):
     """The way back through colours of the vertices, and through the blended pairs."""
+    shape = pixel_kernels.Shape(buffers.clip, faces, np.ascontiguousarray(material.colours, float))
+    grads = through_pixels(grad_picture, buffers.face_index, shape)
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grads[0])
+    channels = grad_picture.shape[2]
+    records = room_for(len(pixels), channels)
+    count = pixel_kernels.gradient_pixels(grad_pixels, pixels, grid_of(buffers.face_index), shape,
+                                          constant(channels), records)
+    pixel_kernels.add_runs(faces, count, records, *grads)
+    return pipeline.Colours(grads[1]), grads[0]
+
+
+def through_pixels(grad_picture, face_index, shape):
+    """The way back through the pixels' own colours: grad_clip (V, 4), grad_colours (V, C)."""
     height, width, channels = grad_picture.shape
-    colours = np.ascontiguousarray(material.colours, float)
-    grad = through_pixels(grad_picture, buffers, faces, colours)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad)
-    found = room(len(pixels), channels)
-    runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, buffers.face_index.ravel(),
-                                         buffers.clip, faces, colours, constant(channels), width,
-                                         height, *found)
-    pixel_kernels.add_runs(faces, runs, *found, grad)
-    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
+    grads = np.zeros(shape.vertices.shape), np.zeros(shape.colours.shape)
 
+    def band(*rows):
+        records = room_for((rows[1] - rows[0]) * width, channels)
+        return pixel_kernels.gradient_rows(grad_picture.ravel(), grid_of(face_index), shape, rows,
+                                           constant(channels), records), records
 
-def through_pixels(grad_picture, buffers, faces, colours):
-    """The way back through the pixels' own colours: grad (V, 4 + C), of clip and of colours."""
-    height, width, channels = grad_picture.shape
-    face_index, grad_picture = buffers.face_index.ravel(), grad_picture.ravel()
-    grad = np.zeros((len(buffers.clip), 4 + channels))
-
-    def band(bottom, top):
-        found = room((top - bottom) * width, channels)
-        return pixel_kernels.gradient_rows(
-            grad_picture, face_index, buffers.clip, faces, colours, constant(channels), width,
-            height, bottom, top, *found), *found
-
-    for runs, *found in in_bands(band, width, height):
-        if runs < 0:
+    for count, records in in_bands(band, width, height):
+        if count < 0:
             raise IndexError("face_index names faces that are not there, or faces name vertices "
                              "that are not there: give the faces of this picture")
-        pixel_kernels.add_runs(faces, runs, *found, grad)
-    return grad
+        pixel_kernels.add_runs(shape.faces, count, records, *grads)
+    return grads
 
 
-def room(size, channels):
-    """Room for the faces and the records of so many runs."""
-    return np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
+def grid_of(face_index):
+    """A picture (H, W) as kernels take it."""
+    height, width = face_index.shape
+    return pixel_kernels.Grid(face_index.ravel(), width, height)
+
+
+def room_for(count, channels):
+    """Room for the records of so many runs."""
+    return pixel_kernels.Records(np.empty(count, np.int32), np.empty((count, 3, 3)),
+                                 np.empty((count, 3, channels)))
 
 
 def to_vertices(grad_pixels, buffers, faces):
@@ -297,5 +306,5 @@ def to_vertices(grad_pixels, buffers, faces):
     clip, faces = contiguous(buffers.clip, faces)
     channels = grad_pixels.shape[-1]
     inputs.require_shape("grad_pixels", grad_pixels, (*buffers.face_index.shape, channels))
-    return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers._replace(clip=clip),
-                          faces, np.zeros((len(clip), channels)))[:, 4:]
+    shape = pixel_kernels.Shape(clip, faces, np.zeros((len(clip), channels)))
+    return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers.face_index, shape)[1]

@@ -12,6 +12,8 @@ Most faces of a large mesh are small. One of a few columns is tested pixel by pi
 functions that are only nearly right. Where all signs are certain that is enough. All other faces
 take the exact way: on each row a quotient finds where an edge crosses, and the exact sum decides.
 """
+from typing import NamedTuple
+
 import numpy as np
 
 from course.given.compiled import kernel
@@ -22,6 +24,62 @@ from .scanline import FINITE, TINY
 BEHIND = 1 << 7  # the bit of an outcode for w <= 0
 NARROW = 4      # columns of a small face
 CERTAIN = 1e-9  # square pixels: within NARROW columns, no rounding turns the sign of more than this
+
+
+class Corner(NamedTuple):
+    """A vertex on screen: x, y of its pixel, z / w, and w."""
+
+    x: float
+    y: float
+    z: float
+    w: float
+
+
+class Box(NamedTuple):
+    """Samples: left <= column < right, bottom <= row < top."""
+
+    left: int
+    right: int
+    bottom: int
+    top: int
+
+
+class Edge(NamedTuple):
+    """Eq. (2), as `first_column` takes it: on the row at height y, slope (column - x) + rise (row -
+    y) grows from left to right. It is >= 0 inside of an edge that opens the row's interval, and
+    outside of the others.
+    """
+
+    opens: bool
+    slope: float
+    reciprocal: float  # of the slope
+    rise: float
+    x: float
+    y: float
+
+
+class Plane(NamedTuple):
+    """Eq. (4): a corner, and how the depth changes along x and along y."""
+
+    corner: Corner
+    dz_dx: float
+    dz_dy: float
+
+
+class Faces(NamedTuple):
+    """What is drawn: corners (F, 3), points (V, 4) and outcode (V,) of `project_vertices`."""
+
+    corners: np.ndarray
+    points: np.ndarray
+    outcode: np.ndarray
+
+
+class ZBuffer(NamedTuple):
+    """What is drawn on, one long row each: face_index, depth (H W,). centres (W,): of columns."""
+
+    centres: np.ndarray
+    face_index: np.ndarray
+    depth: np.ndarray
 
 
 @kernel
@@ -40,172 +98,187 @@ def project_vertices(clip, width, height, first, end, points, outcode):
 
 
 @kernel
-def sample_box(points, a, b, c, width, height):
-    """The samples that a face may cover: left <= column < right, bottom <= row < top."""
-    if min(points[a, 3], points[b, 3], points[c, 3]) <= 0:
-        return 0, width, 0, height
-    x0, x1, x2 = points[a, 0], points[b, 0], points[c, 0]
-    y0, y1, y2 = points[a, 1], points[b, 1], points[c, 1]
+def corner(points, v):
+    """One of the points."""
+    return Corner(points[v, 0], points[v, 1], points[v, 2], points[v, 3])
+
+
+@kernel
+def sample_box(corners, rows, width, height):
+    """The samples that a face may cover on some rows."""
+    a, b, c = corners
+    bottom, top = rows
+    if min(a.w, b.w, c.w) <= 0:
+        return Box(0, width, bottom, top)
     reach = 0.5 + MARGIN
-    return (int(np.ceil(max(min(x0, x1, x2), 0.0) - reach)),
-            int(np.floor(min(max(x0, x1, x2), float(width)) + reach)),
-            int(np.ceil(max(min(y0, y1, y2), 0.0) - reach)),
-            int(np.floor(min(max(y0, y1, y2), float(height)) + reach)))
+    return Box(int(np.ceil(max(min(a.x, b.x, c.x), 0.0) - reach)),
+               int(np.floor(min(max(a.x, b.x, c.x), float(width)) + reach)),
+               max(bottom, int(np.ceil(max(min(a.y, b.y, c.y), 0.0) - reach))),
+               min(top, int(np.floor(min(max(a.y, b.y, c.y), float(height)) + reach))))
 
 
 @kernel
-def farthest_first(points, a, b, c):
+def farthest_first(a, b, c):
     """The corners, the one of greatest |w| swapped to the front."""
-    swap = abs(points[b, 3]) > abs(points[a, 3])
-    a, b = b if swap else a, a if swap else b
-    swap = abs(points[c, 3]) > abs(points[a, 3])
-    return c if swap else a, b, a if swap else c
+    if abs(b.w) > abs(a.w):
+        a, b = b, a
+    return (c, b, a) if abs(c.w) > abs(a.w) else (a, b, c)
 
 
 @kernel
-def twice_area(points, a, b, c):
+def twice_area(a, b, c):
     """2A of a face: positive if it is counter-clockwise."""
-    x, y = points[a, 0], points[a, 1]
-    return ((points[b, 0] - x) * (points[c, 1] - y) - (points[c, 0] - x) * (points[b, 1] - y))
+    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)
 
 
 @kernel
-def half_plane(points, i, j, sign):
-    """Eq. (2), as `row_interval` takes it: opens, slope, rise, from_x, from_y of the edge i to j.
-
-    On the row at y, slope (x - from_x) + rise (y - from_y) grows from left to right. It is >= 0
-    inside of an edge that opens the interval, and outside of the others.
-    """
-    w_i, w_j = abs(points[i, 3]), abs(points[j, 3])
-    x_i, y_i, x_j, y_j = points[i, 0], points[i, 1], points[j, 0], points[j, 1]
-    n_x, n_y = sign * (y_i - y_j), sign * (x_j - x_i)
-    at_i = (w_i > w_j) | ((w_i == w_j) & ((x_i < x_j) | ((x_i == x_j) & (y_i <= y_j))))
-    from_x, from_y = x_i if at_i else x_j, y_i if at_i else y_j
+def half_plane(p, q, sign):
+    """The Edge from p to q, of a face and a third corner whose signs are that of the normal."""
+    n_x, n_y = sign * (p.y - q.y), sign * (q.x - p.x)
+    w_p, w_q = abs(p.w), abs(q.w)
+    at_p = (w_p > w_q) | ((w_p == w_q) & ((p.x < q.x) | ((p.x == q.x) & (p.y <= q.y))))
+    x, y = p.x if at_p else q.x, p.y if at_p else q.y
     opens = (n_x > 0) | ((n_x == 0) & (n_y > 0))
-    from_x = 0.0 if n_x == 0 else from_x
-    return opens, max(abs(n_x), TINY), n_y if opens else -n_y, from_x, from_y
+    slope = max(abs(n_x), TINY)
+    return Edge(opens, slope, 1 / slope, n_y if opens else -n_y, 0.0 if n_x == 0 else x, y)
 
 
 @kernel
-def first_column(edge, reciprocal, y):
+def first_column(edge, y):
     """The first column of the row at y at which the edge's sum is >= 0, as a float."""
-    _, slope, rise, from_x, from_y = edge
-    offset = rise * (y - from_y)
-    column = np.floor(from_x - offset * reciprocal)
-    return column + (slope * (column + 0.5 - from_x) + offset < 0)
+    offset = edge.rise * (y - edge.y)
+    column = np.floor(edge.x - offset * edge.reciprocal)
+    return column + (edge.slope * (column + 0.5 - edge.x) + offset < 0)
 
 
 @kernel
-def cut(start, end, edge, reciprocal, y):
+def cut(start, end, edge, y):
     """The part of a row's interval that lies inside of an edge."""
-    column = first_column(edge, reciprocal, y)
-    return (max(start, column if edge[0] else start), min(end, end if edge[0] else column))
+    column = first_column(edge, y)
+    return max(start, column if edge.opens else start), min(end, end if edge.opens else column)
 
 
 @kernel
-def depth_plane(points, a, b, c):
-    """Eq. (4): x, y, z of the first corner, and how the depth changes along x and along y."""
-    x, y, z = points[a, 0], points[a, 1], points[a, 2]
-    x1, y1, z1 = points[b, 0] - x, points[b, 1] - y, points[b, 2] - z
-    x2, y2, z2 = points[c, 0] - x, points[c, 1] - y, points[c, 2] - z
+def depth_plane(a, b, c):
+    """Eq. (4) from the first corner."""
+    x1, y1, z1 = b.x - a.x, b.y - a.y, b.z - a.z
+    x2, y2, z2 = c.x - a.x, c.y - a.y, c.z - a.z
     area = x1 * y2 - x2 * y1
-    return x, y, z, (z1 * y2 - z2 * y1) / area, (x1 * z2 - x2 * z1) / area
+    return Plane(a, (z1 * y2 - z2 * y1) / area, (x1 * z2 - x2 * z1) / area)
 
 
 @kernel
-def draw_small(face, points, corners, columns, rows, centres, face_index, depth):
+def row_depth(plane, y):
+    """The depth on the row at y where x is the corner's."""
+    return plane.dz_dy * (y - plane.corner.y) + plane.corner.z
+
+
+@kernel
+def least_and_most(a, b, c, x, y):
+    """Of the three edge functions at a sample."""
+    e0 = (b.x - x) * (c.y - y) - (b.y - y) * (c.x - x)
+    e1 = (c.x - x) * (a.y - y) - (c.y - y) * (a.x - x)
+    e2 = (a.x - x) * (b.y - y) - (a.y - y) * (b.x - x)
+    return min(e0, e1, e2), max(e0, e1, e2)
+
+
+@kernel
+def draw_small(face, corners, box, buffer):
     """`draw_face` for a small face in front of the camera -> whether all its signs are certain."""
     a, b, c = corners
-    x0, y0, x1, y1, x2, y2 = (points[a, 0], points[a, 1], points[b, 0], points[b, 1],
-                              points[c, 0], points[c, 1])
+    plane = Plane(a, 0.0, 0.0)
     is_known = False
-    x, y, z, dz_dx, dz_dy = 0.0, 0.0, 0.0, 0.0, 0.0
-    for row in range(*rows):
-        py = row + 0.5
-        first = np.uintp(row * len(centres))
-        for j in range(np.uintp(columns[0]), np.uintp(columns[1])):
-            px = centres[j]
-            e0 = (x1 - px) * (y2 - py) - (y1 - py) * (x2 - px)
-            e1 = (x2 - px) * (y0 - py) - (y2 - py) * (x0 - px)
-            e2 = (x0 - px) * (y1 - py) - (y0 - py) * (x1 - px)
-            least, most = min(e0, e1, e2), max(e0, e1, e2)
+    for row in range(box.bottom, box.top):
+        first = np.uintp(row * len(buffer.centres))
+        for j in range(np.uintp(box.left), np.uintp(box.right)):
+            x, y = buffer.centres[j], row + 0.5
+            least, most = least_and_most(a, b, c, x, y)
             if (least < -CERTAIN) & (most > CERTAIN):
                 continue
             if (least <= CERTAIN) & (most >= -CERTAIN):
                 return False
             if not is_known:
+                plane = depth_plane(*farthest_first(a, b, c))
                 is_known = True
-                x, y, z, dz_dx, dz_dy = depth_plane(points, *farthest_first(points, a, b, c))
-            deep = dz_dx * (px - x) + (dz_dy * (py - y) + z)
-            if (abs(deep) <= 1) & (deep < depth[first + j]):
-                depth[first + j] = deep
-                face_index[first + j] = face
+            deep = plane.dz_dx * (x - plane.corner.x) + row_depth(plane, y)
+            if (abs(deep) <= 1) & (deep < buffer.depth[first + j]):
+                buffer.depth[first + j] = deep
+                buffer.face_index[first + j] = face
     return True
 
 
 @kernel
-def draw_face(face, points, corners, columns, rows, centres, face_index, depth):
-    """One face, in the columns and rows of its box. The picture is one long row."""
-    a, b, c = farthest_first(points, *corners)
-    winding = np.sign(twice_area(points, a, b, c))
+def draw_face(face, corners, box, buffer):
+    """One face, in its box."""
+    a, b, c = farthest_first(*corners)
+    winding = np.sign(twice_area(a, b, c))
     if winding == 0:
         return
-    edge_0 = half_plane(points, b, c, winding * np.sign(points[a, 3]))
-    edge_1 = half_plane(points, c, a, winding * np.sign(points[b, 3]))
-    edge_2 = half_plane(points, a, b, winding * np.sign(points[c, 3]))
-    reciprocal_0, reciprocal_1, reciprocal_2 = 1 / edge_0[1], 1 / edge_1[1], 1 / edge_2[1]
-    x, y, z, dz_dx, dz_dy = depth_plane(points, a, b, c)
-    for row in range(*rows):
-        py = row + 0.5
-        start, end = float(columns[0]), float(columns[1])
-        start, end = cut(start, end, edge_0, reciprocal_0, py)
-        start, end = cut(start, end, edge_1, reciprocal_1, py)
-        start, end = cut(start, end, edge_2, reciprocal_2, py)
-        offset = dz_dy * (py - y) + z
-        first = np.uintp(row * len(centres))
+    edge_0 = half_plane(b, c, winding * np.sign(a.w))
+    edge_1 = half_plane(c, a, winding * np.sign(b.w))
+    edge_2 = half_plane(a, b, winding * np.sign(c.w))
+    plane = depth_plane(a, b, c)
+    for row in range(box.bottom, box.top):
+        start, end = float(box.left), float(box.right)
+        for edge in (edge_0, edge_1, edge_2):
+            start, end = cut(start, end, edge, row + 0.5)
         if start < end:
-            for j in range(np.uintp(start), np.uintp(end)):
-                deep = dz_dx * (centres[j] - x) + offset
-                before, shown = depth[first + j], face_index[first + j]
-                closer = (abs(deep) <= 1) & (deep < before)
-                depth[first + j] = deep if closer else before
-                face_index[first + j] = face if closer else shown
+            draw_span(face, row, (np.uintp(start), np.uintp(end)), plane, buffer)
 
 
 @kernel
-def draw_faces(faces, points, outcode, width, height, first, end, bottom, top, face_index, depth):
-    """The faces first <= face < end, on the rows bottom <= row < top of the flat picture.
+def draw_span(face, row, columns, plane, buffer):
+    """A face on the columns start <= j < end of a row. No step has a branch."""
+    centres, face_index, depth = buffer
+    offset = row_depth(plane, row + 0.5)
+    first = np.uintp(row * len(centres))
+    for j in range(*columns):
+        deep = plane.dz_dx * (centres[j] - plane.corner.x) + offset
+        before, shown = depth[first + j], face_index[first + j]
+        closer = (abs(deep) <= 1) & (deep < before)
+        depth[first + j] = deep if closer else before
+        face_index[first + j] = face if closer else shown
+
+
+@kernel
+def clear(rows, buffer):
+    """Nothing is seen on some rows."""
+    first, end = rows[0] * len(buffer.centres), rows[1] * len(buffer.centres)
+    buffer.face_index[first:end] = -1
+    buffer.depth[first:end] = np.inf
+
+
+@kernel
+def draw_faces(faces, part, rows, height, buffer):
+    """The faces first <= face < end of a part, on some rows bottom <= row < top of the picture.
 
     -> whether all of them name vertices that are there. The others are left out.
     """
-    centres = np.arange(width) + 0.5
-    face_index[bottom * width:top * width] = -1
-    depth[bottom * width:top * width] = np.inf
     is_sound = True
-    for face in range(first, end):
-        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-        if min(a, b, c) < 0 or max(a, b, c) >= len(points):
+    clear(rows, buffer)
+    for face in range(*part):
+        i, j, k = faces.corners[face, 0], faces.corners[face, 1], faces.corners[face, 2]
+        if min(i, j, k) < 0 or max(i, j, k) >= len(faces.points):
             is_sound = False
             continue
-        if outcode[a] & outcode[b] & outcode[c] != FINITE:
+        if faces.outcode[i] & faces.outcode[j] & faces.outcode[k] != FINITE:
             continue
-        left, right, low, high = sample_box(points, a, b, c, width, height)
-        low, high = max(low, bottom), min(high, top)
-        if left >= right or low >= high:
+        corners = corner(faces.points, i), corner(faces.points, j), corner(faces.points, k)
+        box = sample_box(corners, rows, len(buffer.centres), height)
+        if box.left >= box.right or box.bottom >= box.top:
             continue
-        corners, columns, rows = (a, b, c), (left, right), (low, high)
-        is_small = right - left <= NARROW and outcode[a] | outcode[b] | outcode[c] < BEHIND
-        if not (is_small and draw_small(face, points, corners, columns, rows, centres, face_index,
-                                        depth)):
-            draw_face(face, points, corners, columns, rows, centres, face_index, depth)
+        is_small = box.right - box.left <= NARROW and (
+            faces.outcode[i] | faces.outcode[j] | faces.outcode[k]) < BEHIND
+        if not (is_small and draw_small(face, corners, box, buffer)):
+            draw_face(face, corners, box, buffer)
     return is_sound
 
 
 @kernel
-def keep_nearest(face_index, depth, other_index, other_depth):
+def keep_nearest(nearest, other):
     """Two z-buffers become one, the first. Where they are equally deep, it keeps its face."""
-    for pixel in range(len(depth)):
-        before, face = depth[pixel], face_index[pixel]
-        is_nearer = other_depth[pixel] < before
-        depth[pixel] = other_depth[pixel] if is_nearer else before
-        face_index[pixel] = other_index[pixel] if is_nearer else face
+    for pixel in range(len(nearest.depth)):
+        before, face = nearest.depth[pixel], nearest.face_index[pixel]
+        is_nearer = other.depth[pixel] < before
+        nearest.depth[pixel] = other.depth[pixel] if is_nearer else before
+        nearest.face_index[pixel] = other.face_index[pixel] if is_nearer else face

@@ -12,90 +12,183 @@ and of X grad_e_k, and writes to each of its vertices once.
 
 The sums are those of NumPy's twin in another order: along each run first.
 """
+from typing import NamedTuple
+
 import numpy as np
 
 from course.given.compiled import kernel
 
 
-@kernel
-def run_end(face_index, start, end):
-    """The end of the run that begins at pixel start, at most end."""
-    face = face_index[start]
-    pixel = start + np.uintp(1)
-    while pixel < end and face_index[pixel] == face:
-        pixel += np.uintp(1)
-    return pixel
+class Grid(NamedTuple):
+    """A flat picture: the face that each pixel sees (H W,), -1 for none, and its sides."""
+
+    face_index: np.ndarray
+    width: int
+    height: int
+
+
+class Shape(NamedTuple):
+    """What is seen: vertices (V, 4), on screen or in clip space, faces (F, 3), colours (V, C)."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    colours: np.ndarray
+
+
+class Run(NamedTuple):
+    """Pixels start <= pixel < end that see one face, of the row that begins at pixel first."""
+
+    face: int
+    row: int
+    first: int
+    start: int
+    end: int
+
+
+class Sight(NamedTuple):
+    """Pixels that see one face: where their gradients begin, how many they are, the place of the
+    first in ndc, and the step to the next.
+    """
+
+    face: int
+    begin: int
+    count: int
+    X: float
+    Y: float
+    step: float
+
+
+class Corner(NamedTuple):
+    """Of a face: x, y and w on screen. Or q_k of rasterizer_gradients.py."""
+
+    x: float
+    y: float
+    w: float
+
+
+class Line(NamedTuple):
+    """An e along a run: its value at the first pixel, and its slope in X. Or the gradients of both:
+    the sum of grad_e along the run, and that of X grad_e.
+    """
+
+    value: float
+    slope: float
+
+
+class Along(NamedTuple):
+    """At each pixel of a run: b_k, 1 / s, and the gradients of b_1 and b_2 less that of b_0."""
+
+    b0: np.ndarray
+    b1: np.ndarray
+    b2: np.ndarray
+    r: np.ndarray
+    h1: np.ndarray
+    h2: np.ndarray
+
+
+class Records(NamedTuple):
+    """Of R runs: the face (R,), and what its corners get, x, y, w (R, 3, 3) and colours (R, 3, C).
+    """
+
+    face: np.ndarray
+    corners: np.ndarray
+    colours: np.ndarray
 
 
 @kernel
-def screen_corners(points, a, b, c):
-    """x, y and w of three vertices."""
-    return (points[a, 0], points[a, 1], points[a, 3], points[b, 0], points[b, 1], points[b, 3],
-            points[c, 0], points[c, 1], points[c, 3])
+def run_at(grid, row, start):
+    """The run that begins at a pixel of a row."""
+    first, last = np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
+    face = grid.face_index[start]
+    end = start + np.uintp(1)
+    while end < last and grid.face_index[end] == face:
+        end += np.uintp(1)
+    return Run(face, row, first, start, end)
 
 
 @kernel
-def weights_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
+def row_of(grid, row):
+    """The first pixel of a row, and that of the next."""
+    return np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
+
+
+@kernel
+def corner(points, v):
+    """Where a vertex is on screen."""
+    return Corner(points[v, 0], points[v, 1], points[v, 3])
+
+
+@kernel
+def weights_at(x, y, a, b, c):
     """Eq. (5) of rasterization.py."""
-    x0, y0, x1, y1, x2, y2 = x0 - px, y0 - py, x1 - px, y1 - py, x2 - px, y2 - py
-    c0, c1, c2 = (x1 * y2 - y1 * x2) / w0, (x2 * y0 - y2 * x0) / w1, (x0 * y1 - y0 * x1) / w2
+    x0, y0, x1, y1, x2, y2 = a.x - x, a.y - y, b.x - x, b.y - y, c.x - x, c.y - y
+    c0, c1, c2 = (x1 * y2 - y1 * x2) / a.w, (x2 * y0 - y2 * x0) / b.w, (x0 * y1 - y0 * x1) / c.w
     s = c0 + c1 + c2
     return c0 / s, c1 / s, c2 / s
 
 
 @kernel
-def weigh(points, faces, face, row, first, start, end, weights):
-    """Eq. (5) at the pixels of a run: weights, three arrays (H W,). 0 where no face is seen."""
-    b0, b1, b2 = weights
-    if face < 0:
-        for pixel in range(start, end):
-            b0[pixel] = b1[pixel] = b2[pixel] = 0.0
+def weigh(points, faces, run, weights):
+    """Eq. (5) at the pixels of a run: weights (3, H W). 0 where no face is seen."""
+    if run.face < 0:
+        for pixel in range(run.start, run.end):
+            weights[0, pixel] = weights[1, pixel] = weights[2, pixel] = 0.0
         return
-    corners = screen_corners(points, faces[face, 0], faces[face, 1], faces[face, 2])
-    for column in range(start - first, end - first):
-        b0[first + column], b1[first + column], b2[first + column] = weights_at(
-            np.int32(column) + 0.5, row + 0.5, *corners)
+    i, j, k = faces[run.face, 0], faces[run.face, 1], faces[run.face, 2]
+    a, b, c = corner(points, i), corner(points, j), corner(points, k)
+    for column in range(run.start - run.first, run.end - run.first):
+        pixel = run.first + column
+        weights[0, pixel], weights[1, pixel], weights[2, pixel] = weights_at(
+            np.int32(column) + 0.5, run.row + 0.5, a, b, c)
 
 
 @kernel
-def barycentric_rows(face_index, points, faces, width, bottom, top, weights):
-    """What `barycentrics` finds in rows bottom <= row < top: weights, three arrays (H W,)."""
-    for row in range(bottom, top):
-        first, last = np.uintp(row * width), np.uintp((row + 1) * width)
-        start = first
+def barycentric_rows(grid, points, faces, rows, weights):
+    """What `barycentrics` finds on the rows bottom <= row < top: weights (3, H W)."""
+    for row in range(*rows):
+        start, last = row_of(grid, row)
         while start < last:
-            end = run_end(face_index, start, last)
-            weigh(points, faces, face_index[start], row, first, start, end, weights)
-            start = end
+            run = run_at(grid, row, start)
+            weigh(points, faces, run, weights)
+            start = run.end
 
 
 @kernel
-def colour_rows(face_index, points, faces, colours, background, width, bottom, top, weights,
-                picture):
+def colour_rows(grid, shape, rows, background, weights, picture):
     """The same, and `interpolate`. picture: flat, C numbers a pixel. background: a tuple of C
     numbers, so that C is known when this is compiled.
     """
-    channels = np.uintp(len(background))
-    b0, b1, b2 = weights
-    for row in range(bottom, top):
-        first, last = np.uintp(row * width), np.uintp((row + 1) * width)
-        start = first
+    for row in range(*rows):
+        start, last = row_of(grid, row)
         while start < last:
-            end = run_end(face_index, start, last)
-            face = face_index[start]
-            weigh(points, faces, face, row, first, start, end, weights)
-            if face < 0:
-                for pixel in range(start, end):
-                    for k in range(channels):
-                        picture[pixel * channels + k] = background[k]
+            run = run_at(grid, row, start)
+            weigh(shape.vertices, shape.faces, run, weights)
+            if run.face < 0:
+                fill_run(run, background, picture)
             else:
-                a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-                for pixel in range(start, end):
-                    for k in range(channels):
-                        picture[pixel * channels + k] = (0.0 + b0[pixel] * colours[a, k]
-                                                         + b1[pixel] * colours[b, k]
-                                                         + b2[pixel] * colours[c, k])
-            start = end
+                colour_run(shape, run, np.uintp(len(background)), weights, picture)
+            start = run.end
+
+
+@kernel
+def fill_run(run, background, picture):
+    """The colour of a run that sees no face."""
+    channels = np.uintp(len(background))
+    for pixel in range(run.start, run.end):
+        for k in range(channels):
+            picture[pixel * channels + k] = background[k]
+
+
+@kernel
+def colour_run(shape, run, channels, weights, picture):
+    """The colours of a run that sees a face."""
+    _, faces, colours = shape
+    a, b, c = faces[run.face, 0], faces[run.face, 1], faces[run.face, 2]
+    for pixel in range(run.start, run.end):
+        for k in range(channels):
+            picture[pixel * channels + k] = (0.0 + weights[0, pixel] * colours[a, k]
+                                             + weights[1, pixel] * colours[b, k]
+                                             + weights[2, pixel] * colours[c, k])
 
 
 @kernel
@@ -108,177 +201,179 @@ def are_there(faces, face, vertex_count):
 
 
 @kernel
-def corner_at(clip, vertex, X, Y):
+def corner_from(clip, v, sight):
     """q_k of rasterizer_gradients.py: a corner, measured from the place X, Y in ndc."""
-    w = clip[vertex, 3]
-    return clip[vertex, 0] - X * w, clip[vertex, 1] - Y * w, w
+    w = clip[v, 3]
+    return Corner(clip[v, 0] - sight.X * w, clip[v, 1] - sight.Y * w, w)
 
 
 @kernel
 def unit_of(p, q, r):
     """A unit in which no product of two of the corners' numbers over- or underflows."""
-    size = ((abs(p[0]) + abs(p[1]) + abs(p[2])) + (abs(q[0]) + abs(q[1]) + abs(q[2]))
-            + (abs(r[0]) + abs(r[1]) + abs(r[2])))
+    size = ((abs(p.x) + abs(p.y) + abs(p.w)) + (abs(q.x) + abs(q.y) + abs(q.w))
+            + (abs(r.x) + abs(r.y) + abs(r.w)))
     return min(1 / size, 1e300)
 
 
 @kernel
 def scaled(q, unit):
     """A corner in another unit."""
-    return q[0] * unit, q[1] * unit, q[2] * unit
+    return Corner(q.x * unit, q.y * unit, q.w * unit)
 
 
 @kernel
 def edge_along(p, q):
-    """e of the edge from p to q, along a run: its value at the first pixel, and its slope in X."""
-    return p[0] * q[1] - p[1] * q[0], p[1] * q[2] - p[2] * q[1]
+    """e of the edge from p to q, along a run."""
+    return Line(p.x * q.y - p.y * q.x, p.y * q.w - p.w * q.y)
 
 
 @kernel
-def edge_along_backward(grad_e, slope, p, q):
-    """Gradients of p and q: grad_e is summed along the run, and slope is the sum of X grad_e."""
+def edge_along_backward(grad, p, q):
+    """The gradients of p and q, from those of e and its slope."""
     # With G = (slope, 0, grad_e), G . (p x q) = p . (q x G) = q . (G x p).
-    return ((q[1] * grad_e, q[2] * slope - q[0] * grad_e, -q[1] * slope),
-            (-p[1] * grad_e, p[0] * grad_e - p[2] * slope, p[1] * slope))
+    return (Corner(q.y * grad.value, q.w * grad.slope - q.x * grad.value, -q.y * grad.slope),
+            Corner(-p.y * grad.value, p.x * grad.value - p.w * grad.slope, p.y * grad.slope))
 
 
 @kernel
-def weights_along(count, step, edge_0, edge_1, edge_2, b0, b1, b2, r):
+def weights_along(sight, edge_0, edge_1, edge_2, along):
     """b_k = e_k / s and 1 / s at each pixel of a run; of a face without area 1 / s counts as 0."""
-    for i in range(count):
-        X = np.int32(i) * step
-        e0, e1, e2 = (edge_0[0] + edge_0[1] * X, edge_1[0] + edge_1[1] * X,
-                      edge_2[0] + edge_2[1] * X)
+    b0, b1, b2, r, _, _ = along
+    for i in range(sight.count):
+        X = np.int32(i) * sight.step
+        e0 = edge_0.value + edge_0.slope * X
+        e1 = edge_1.value + edge_1.slope * X
+        e2 = edge_2.value + edge_2.slope * X
         s = e0 + e1 + e2
         r[i] = 0.0 if s == 0 else 1 / s
         b0[i], b1[i], b2[i] = e0 * r[i], e1 * r[i], e2 * r[i]
 
 
 @kernel
-def edge_sums(count, step, h1, h2, b1, b2, r):
-    """For each edge the sums along a run of grad_e_k, and of X grad_e_k.
-
-    h1, h2: the gradients of b_1 and b_2 less that of b_0, as all three sum to 1.
-    """
+def edge_sums(sight, along, unit):
+    """For each edge the gradients of its e, and of its slope, in that unit."""
+    _, b1, b2, r, h1, h2 = along
     sum0, sum1, sum2, slope0, slope1, slope2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(count):
-        X = np.int32(i) * step
+    for i in range(sight.count):
+        X = np.int32(i) * sight.step
         mean = h1[i] * b1[i] + h2[i] * b2[i]
         g0, g1, g2 = -mean * r[i], (h1[i] - mean) * r[i], (h2[i] - mean) * r[i]
         sum0, sum1, sum2 = sum0 + g0, sum1 + g1, sum2 + g2
         slope0, slope1, slope2 = slope0 + X * g0, slope1 + X * g1, slope2 + X * g2
-    return (sum0, slope0), (sum1, slope1), (sum2, slope2)
+    return (Line(sum0 * unit, slope0 * unit), Line(sum1 * unit, slope1 * unit),
+            Line(sum2 * unit, slope2 * unit))
 
 
 @kernel
-def write_corner(record, run, at, X, Y, u, v):
-    """Gradients u + v of q_k -> those of the corner's x, y and w."""
-    x, y = u[0] + v[0], u[1] + v[1]
-    record[run, at], record[run, at + 1] = x, y
-    record[run, at + 2] = u[2] + v[2] - X * x - Y * y  # as q = (x - X w, y - Y w, w)
-
-
-@kernel
-def run_backward(grad_picture, grad_at, count, X, Y, step, clip, corners, colours, channels,
-                 scratch, record, run):
-    """The way back from count pixels that see one face. Their gradients begin at grad_at in the
-    flat grad_picture, the first is seen at X, Y. For each corner record[run] becomes the gradients
-    of x, y and w, and of C colours.
-    """
-    b0, b1, b2, r, h1, h2 = scratch
-    a, b, c = corners
-    size, stride = np.uintp(len(channels)), 3 + len(channels)
-    q0, q1, q2 = corner_at(clip, a, X, Y), corner_at(clip, b, X, Y), corner_at(clip, c, X, Y)
-    unit = unit_of(q0, q1, q2)
-    q0, q1, q2 = scaled(q0, unit), scaled(q1, unit), scaled(q2, unit)
-    weights_along(count, step, edge_along(q1, q2), edge_along(q2, q0), edge_along(q0, q1),
-                  b0, b1, b2, r)
-    for i in range(count):
+def colours_backward(grad_picture, sight, shape, channels, along, n, records):
+    """The way back from the colours along a run: to its corners' colours, and to h1 and h2."""
+    b0, b1, b2, _, h1, h2 = along
+    size = np.uintp(len(channels))
+    _, faces, colours = shape
+    a, b, c = faces[sight.face, 0], faces[sight.face, 1], faces[sight.face, 2]
+    for i in range(sight.count):
         h1[i] = h2[i] = 0.0
     for k in range(size):
         to_b, to_c = colours[b, k] - colours[a, k], colours[c, k] - colours[a, k]
         sum0, sum1, sum2 = 0.0, 0.0, 0.0
-        for i in range(count):
-            grad = grad_picture[grad_at + i * size + k]
+        for i in range(sight.count):
+            grad = grad_picture[sight.begin + i * size + k]
             sum0, sum1, sum2 = sum0 + b0[i] * grad, sum1 + b1[i] * grad, sum2 + b2[i] * grad
             h1[i] += grad * to_b
             h2[i] += grad * to_c
-        record[run, 3 + k] = sum0
-        record[run, stride + 3 + k] = sum1
-        record[run, 2 * stride + 3 + k] = sum2
-    g0, g1, g2 = edge_sums(count, step, h1, h2, b1, b2, r)
-    g0, g1, g2 = (g0[0] * unit, g0[1] * unit), (g1[0] * unit, g1[1] * unit), (
-        g2[0] * unit, g2[1] * unit)
-    to_q1, to_q2 = edge_along_backward(*g0, q1, q2)
-    also_q2, to_q0 = edge_along_backward(*g1, q2, q0)
-    also_q0, also_q1 = edge_along_backward(*g2, q0, q1)
-    write_corner(record, run, 0, X, Y, to_q0, also_q0)
-    write_corner(record, run, stride, X, Y, to_q1, also_q1)
-    write_corner(record, run, 2 * stride, X, Y, to_q2, also_q2)
+        records.colours[n, 0, k] = sum0
+        records.colours[n, 1, k] = sum1
+        records.colours[n, 2, k] = sum2
 
 
 @kernel
-def rows_for(size):
+def corner_backward(u, v, sight, n, k, records):
+    """Gradients u + v of q_k -> those of the corner's x, y and w."""
+    x, y = u.x + v.x, u.y + v.y
+    records.corners[n, k, 0] = x
+    records.corners[n, k, 1] = y
+    # as q = (x - X w, y - Y w, w)
+    records.corners[n, k, 2] = u.w + v.w - sight.X * x - sight.Y * y
+
+
+@kernel
+def run_backward(grad_picture, sight, shape, channels, along, n, records):
+    """The way back from pixels that see one face, in a flat grad_picture -> record n."""
+    clip, faces, _ = shape
+    face = sight.face
+    q0 = corner_from(clip, faces[face, 0], sight)
+    q1 = corner_from(clip, faces[face, 1], sight)
+    q2 = corner_from(clip, faces[face, 2], sight)
+    unit = unit_of(q0, q1, q2)
+    q0, q1, q2 = scaled(q0, unit), scaled(q1, unit), scaled(q2, unit)
+    weights_along(sight, edge_along(q1, q2), edge_along(q2, q0), edge_along(q0, q1), along)
+    colours_backward(grad_picture, sight, shape, channels, along, n, records)
+    g0, g1, g2 = edge_sums(sight, along, unit)
+    to_q1, to_q2 = edge_along_backward(g0, q1, q2)
+    also_q2, to_q0 = edge_along_backward(g1, q2, q0)
+    also_q0, also_q1 = edge_along_backward(g2, q0, q1)
+    corner_backward(to_q0, also_q0, sight, n, 0, records)
+    corner_backward(to_q1, also_q1, sight, n, 1, records)
+    corner_backward(to_q2, also_q2, sight, n, 2, records)
+    records.face[n] = face
+
+
+@kernel
+def room_along(size):
     """Room for what `run_backward` finds along a run."""
-    return (np.empty(size), np.empty(size), np.empty(size), np.empty(size), np.empty(size),
-            np.empty(size))
+    return Along(np.empty(size), np.empty(size), np.empty(size), np.empty(size), np.empty(size),
+                 np.empty(size))
 
 
 @kernel
-def gradient_rows(grad_picture, face_index, clip, faces, colours, channels, width, height, bottom,
-                  top, run_face, record):
-    """The way back from rows bottom <= row < top -> how many runs, each with its face and record.
-    -1: a pixel sees a face, or a face has a vertex, that is not there.
+def gradient_rows(grad_picture, grid, shape, rows, channels, records):
+    """The way back from the rows bottom <= row < top -> how many runs, each with its record. -1: a
+    pixel sees a face, or a face has a vertex, that is not there.
     """
-    scratch = rows_for(width)
-    run = 0
-    for row in range(bottom, top):
-        first, last = np.uintp(row * width), np.uintp((row + 1) * width)
-        Y = (2 * row + 1) / height - 1
-        start = first
+    along = room_along(grid.width)
+    n = 0
+    for row in range(*rows):
+        start, last = row_of(grid, row)
+        Y = (2 * row + 1) / grid.height - 1
         while start < last:
-            end = run_end(face_index, start, last)
-            face = face_index[start]
-            if face >= 0:
-                if not are_there(faces, face, len(clip)):
+            run = run_at(grid, row, start)
+            if run.face >= 0:
+                if not are_there(shape.faces, run.face, len(shape.vertices)):
                     return -1
-                X = (2 * np.int32(start - first) + 1) / width - 1
-                corners = faces[face, 0], faces[face, 1], faces[face, 2]
-                run_backward(grad_picture, start * np.uintp(len(channels)), end - start, X, Y,
-                             2 / width, clip, corners, colours, channels, scratch, record, run)
-                run_face[run] = face
-                run += 1
-            start = end
-    return run
+                X = (2 * np.int32(start - run.first) + 1) / grid.width - 1
+                sight = Sight(run.face, start * np.uintp(len(channels)), run.end - start, X, Y,
+                              2 / grid.width)
+                run_backward(grad_picture, sight, shape, channels, along, n, records)
+                n += 1
+            start = run.end
+    return n
 
 
 @kernel
-def gradient_pixels(grad_pixels, pixels, face_index, clip, faces, colours, channels, width, height,
-                    run_face, record):
+def gradient_pixels(grad_pixels, pixels, grid, shape, channels, records):
     """The same for single pixels (N,), which may repeat: runs of length 1. All are there."""
-    scratch = rows_for(1)
-    run = 0
-    for n in range(np.uintp(len(pixels))):
-        face = face_index[pixels[n]]
+    along = room_along(1)
+    n = 0
+    for number in range(np.uintp(len(pixels))):
+        pixel = pixels[number]
+        face = grid.face_index[pixel]
         if face >= 0:
-            X = (2 * (pixels[n] % width) + 1) / width - 1
-            Y = (2 * (pixels[n] // width) + 1) / height - 1
-            corners = faces[face, 0], faces[face, 1], faces[face, 2]
-            run_backward(grad_pixels, n * np.uintp(len(channels)), np.uintp(1), X, Y, 0.0, clip,
-                         corners, colours, channels, scratch, record, run)
-            run_face[run] = face
-            run += 1
-    return run
+            X = (2 * (pixel % grid.width) + 1) / grid.width - 1
+            Y = (2 * (pixel // grid.width) + 1) / grid.height - 1
+            sight = Sight(face, number * np.uintp(len(channels)), np.uintp(1), X, Y, 0.0)
+            run_backward(grad_pixels, sight, shape, channels, along, n, records)
+            n += 1
+    return n
 
 
 @kernel
-def add_runs(faces, runs, run_face, record, grad):
-    """Runs of `gradient_rows` -> grad (V, 4 + C), the gradients of clip and colours."""
-    stride = grad.shape[1] - 1
-    for run in range(runs):
+def add_runs(faces, count, records, grad_clip, grad_colours):
+    """The first of the records -> grad_clip (V, 4), grad_colours (V, C)."""
+    for n in range(count):
         for k in range(3):
-            vertex = faces[run_face[run], k]
-            grad[vertex, 0] += record[run, k * stride]
-            grad[vertex, 1] += record[run, k * stride + 1]
-            for channel in range(2, stride):
-                grad[vertex, channel + 1] += record[run, k * stride + channel]
+            vertex = faces[records.face[n], k]
+            grad_clip[vertex, 0] += records.corners[n, k, 0]
+            grad_clip[vertex, 1] += records.corners[n, k, 1]
+            grad_clip[vertex, 3] += records.corners[n, k, 2]
+            for channel in range(grad_colours.shape[1]):
+                grad_colours[vertex, channel] += records.colours[n, k, channel]
