@@ -19,3 +19,10 @@ def run_module():
     """What afresh.run_module does: it is not there where a copy of this course has only checks."""
     import afresh
     return afresh.run_module
+
+
+@pytest.fixture(scope="session")
+def house(tmp_path_factory):
+    """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
+    import afresh
+    return lambda files: afresh.make_house(tmp_path_factory.mktemp("house"), files)

@@ -1,18 +1,15 @@
-"""What a run of all tests does first and says at its end, courses made for a test, and commands
-that run in this process.
-"""
+"""What a run of all tests does first and says at its end, and commands that run in this process."""
 import contextlib
 import io
-import shutil
 import subprocess
 import sys
 from collections import Counter
 from itertools import chain
 
 import pytest
-from afresh import ROOT
 
-from labkit import cli, places, table
+from course import commands
+from labkit import places
 
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
@@ -35,35 +32,13 @@ def pytest_terminal_summary(terminalreporter):
 
 
 @pytest.fixture(scope="session")
-def house(tmp_path_factory):
-    """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
-    def build(files):
-        root = tmp_path_factory.mktemp("house")
-        # With what was compiled, which is of use as long as a file is as old as it was.
-        given = [path for room in ("course", "labkit") for pattern in ("*.py", "__pycache__/*.pyc")
-                 for path in ROOT.glob(f"{room}/**/{pattern}")
-                 if path.parent != ROOT / table.COMPLETE]  # topics, which the test gives
-        for path in (*given, *ROOT.glob("labkit/grading/files/*"), *map(ROOT.joinpath, (
-                "conftest.py", "labs.toml", "pyproject.toml", "requirements.txt"))):
-            copy = root / path.relative_to(ROOT)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(path, copy)
-        for name, text in files.items():
-            (root / name).parent.mkdir(parents=True, exist_ok=True)
-            (root / name).write_text(text, encoding="utf-8")
-        return root
-
-    return build
-
-
-@pytest.fixture(scope="session")
 def run_here():
     """What run_module does, for the modules course and pytest, with the code that is loaded here.
 
     It takes a tenth of the time. What a process of its own is to show needs run_module.
     """
     def run(root, module, *command):
-        start = {"course": cli.main, "pytest": pytest.main}[module]
+        start = {"course": commands.main, "pytest": pytest.main}[module]
         out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", write_through=True) for _ in range(2))
         with (in_the_place_of(root), contextlib.redirect_stdout(out),
               contextlib.redirect_stderr(err)):

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from labkit import exercises
+from labkit import exercises, places
 from labkit.places import ROOT
 from labkit.upkeep import errata, hours, notebooks
 
@@ -39,7 +39,7 @@ def test_a_lecture_leads_to_its_neighbours_its_modules_and_its_lab(path):
                           if k > 1 else line)[-len(around):] == [one.name for one in around]
     links = "".join(text_of(page).splitlines()[2] for page in hours.pages(lab))
     for topic in exercises.LABS[lab - 1]:
-        assert f"](../reference/{topic}.py)" in links
+        assert f"](../{places.shown_path(exercises.reference(topic))})" in links
     assert re.search(rf"\]\(../labs/({'|'.join(exercises.LABS[lab - 1])})\.py\)", lines[2])
 
 

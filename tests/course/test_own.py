@@ -164,7 +164,7 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
 
 
 @pytest.mark.parametrize(("text", "said"), [
-    ("x = 1\ndef (:\n", "/arrays.py, line 2: this is not Python"),
+    ("x = 1\ndef (:\n", "/transforms.py, line 2: this is not Python"),
     ("\0", "imports, cannot be imported: source code string cannot contain null bytes"),
     ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'"),
     ("from . import nothing", "cannot import name 'nothing'"),
@@ -172,7 +172,7 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
 def test_a_lab_that_cannot_be_imported_is_named(text, said, tmp_path, monkeypatch):
     """The student looks for the mistake in the file that imports it; or all ends in a traceback."""
     shutil.copytree(places.ROOT / "reference", tmp_path, dirs_exist_ok=True)
-    (tmp_path / "arrays.py").write_text(text)
+    (tmp_path / "transforms.py").write_text(text)
     monkeypatch.syspath_prepend(tmp_path.parent)
     with pytest.raises(Lacking) as told:
         demo.run(["bunny"], tmp_path.name)

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from look_up_goldens import configs, cube_scene, picture_scene, require_look_ups
 
-from reference import arrays, cube_maps, mipmapping, texturing
+from course.given import arrays
+from reference import cube_maps, mipmapping, texturing
 
 
 class Kind(NamedTuple):

@@ -6,7 +6,8 @@ import torch
 from scipy.sparse import sparray
 from torch.utils.weak import WeakTensorKeyDictionary
 
-from ...given import arrays
+from course.given import arrays
+
 from .. import tensors
 from ..tensors import array, require, tensor
 

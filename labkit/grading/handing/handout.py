@@ -112,8 +112,10 @@ def files(asked, released, extra, spine):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
             yield name, path.read_bytes()
-    for package in ["labs", *(["reference"] if released else [])]:
-        yield f"{package}/__init__.py", (places.ROOT / package / "__init__.py").read_bytes()
+    for path in (places.ROOT / package / "__init__.py"
+                 for package in ["labs", *(["reference"] if released else [])]):
+        if path.exists():
+            yield places.shown_path(path), path.read_bytes()
     yield from labs_of(asked, released, extra, spine)
     for topic in came_along(asked):
         path = exercises.reference(topic)

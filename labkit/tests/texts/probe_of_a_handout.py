@@ -9,8 +9,9 @@ from pathlib import Path
 
 import matplotlib as mpl
 
+from course import commands
+from labkit import exercises
 from course.scenes import demo
-from labkit import cli, exercises
 
 mpl.use("agg")
 
@@ -39,11 +40,11 @@ for path in sorted(Path("notebooks").glob("*.ipynb")):
         print(path.stem, "stops at", error)
 scene = demo.scene
 demo.scene = lambda name: first_steps(scene(name))
-print("DEMO", cli.main(["demo"]))
+print("DEMO", commands.main(["demo"]))
 lab = Path("lab").read_text()
 for command in "demo reconstruct", "demo bunny --impl reference", f"check {lab}", "pack", "":
-    print("STATUS", cli.main(command.split()))
+    print("STATUS", commands.main(command.split()))
 for command in "mistakes", "handout new", "skeleton --force", "grade --out":
     with contextlib.suppress(SystemExit):
-        cli.main(command.split())
+        commands.main(command.split())
         print("STATUS of", command)
