@@ -32,6 +32,17 @@ def demo(asked):
 
 
 @command(
+    LOOK, "notebooks [NAME ...]",
+    option("names", nargs="*", metavar="NAME",
+           help="a topic or a number; without, those that are older than their code"),
+    option("--all", action="store_true", help="all of them"))
+def notebooks(asked):
+    """Run the lectures, and save what they print and draw otherwise."""
+    from labkit.upkeep import notebooks
+    return notebooks.run(asked.names, everything=asked.all)
+
+
+@command(
     LOOK, "reconstruct FOLDER",
     WORKS,
     option("--size", type=whole_number(32, 512), default=128, metavar="N",

@@ -210,14 +210,3 @@ def mutants(asked):
     """Count the small mistakes, made by machine, that the checks catch."""
     from .upkeep import mutants
     return mutants.run(asked.target)
-
-
-@command(
-    LOOK, "notebooks [NAME ...]",
-    option("names", nargs="*", metavar="NAME",
-           help="a topic or a number; without, those that are older than their code"),
-    option("--all", action="store_true", help="all of them"))
-def notebooks(asked):
-    """Run the lectures, and save what they print and draw otherwise."""
-    from .upkeep import notebooks
-    return notebooks.run(asked.names, everything=asked.all)

@@ -10,8 +10,8 @@ from pathlib import Path
 import matplotlib as mpl
 
 from course import commands
-from labkit import exercises
 from course.scenes import demo
+from labkit import exercises
 
 mpl.use("agg")
 
