@@ -6,6 +6,7 @@ import re
 
 from labkit import exercises
 from labkit.places import ROOT
+from labkit.table import WITH_LABS
 
 from .names import lab_page
 
@@ -43,7 +44,9 @@ def below(lecture):
     pages = [f"Lab {number} </{lab_page(topics[0])}>"] if topics else []
     pages += [entry(path.stem) for path in lectures()
               if is_sequel(path.stem) and path.stem[:2] == lecture[:2]]
-    pages += [f"{topic}.py </reference/{topic}>" for topic in topics]
+    with_it = [path.stem for topic in topics if topic in WITH_LABS
+               for path in sorted(ROOT.glob(WITH_LABS[topic])) if path.stem != "__init__"]
+    pages += [f"{topic}.py </reference/{topic}>" for topic in (*topics, *with_it)]
     return "" if is_sequel(lecture) else TREE.format(caption="", pages="\n".join(pages))
 
 
