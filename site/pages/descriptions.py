@@ -8,6 +8,8 @@ from docutils import nodes
 
 from labkit.places import ROOT
 
+from .names import PAGES
+
 LEAST, MOST = 50, 220  # characters
 TAG = re.compile(r"<[^>]+>")
 
@@ -28,8 +30,9 @@ def describe(app, page, template, context, doctree):
 
 def first_words(page, doctree):
     """A module's first words, or else the first paragraph that is long and no row of links."""
-    for folder in ROOT, ROOT / "course":
-        module = folder / f"{page}.py"
+    shown, _, stem = page.partition("/")
+    for folder in (folder for folder, pages in PAGES.items() if pages == shown):
+        module = ROOT / folder / f"{stem}.py"
         if module.exists():
             return ast.get_docstring(ast.parse(module.read_text("utf-8"))).partition("\n\n")[0]
     texts = (TAG.sub("", part.astext()) for part in doctree.findall(nodes.paragraph))
