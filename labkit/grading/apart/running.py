@@ -19,7 +19,8 @@ from ...table import COMPLETE, USED, WITH_LABS
 from . import typed_json
 from .jobs import Job, Result, failure
 
-DECIDE = ("labs.toml", "labkit/**/*.py", "reference/*.py", "conftest.py", "tests/labs/*.py",
+DECIDE = ("labs.toml", "labkit/*.py", "labkit/checks/*.py", "labkit/grading/**/*.py",
+          "labkit/upkeep/*.py", "reference/*.py", "conftest.py", "tests/labs/*.py",
           f"{COMPLETE}/*.py", *USED, *WITH_LABS.values())
 
 
