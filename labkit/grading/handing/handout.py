@@ -14,7 +14,7 @@ from ... import exercises, lab_text, places
 from ...table import COMPLETE, HANDED_OUT, README, USED, WITH_LABS
 from . import archives
 
-WHOLE = ("labs.toml", "labkit/*.py", "labkit/checks/*.py", "labkit/upkeep/*.py",
+WHOLE = ("labs.toml", "labs/__init__.py", "labkit/*.py", "labkit/checks/*.py", "labkit/upkeep/*.py",
          *(f"labkit/grading/{name}.py" for name in (  # what packs
              "__init__", "handing/__init__", "handing/archives", "handing/contents",
              "handing/pack")),
@@ -107,15 +107,12 @@ def release(labs, path) -> int:
 
 def files(asked, released, extra, spine):
     """Yield (name, bytes) of all that is handed out."""
-    patterns = *WHOLE, *(pattern for topic, pattern in WITH_LABS.items() if topic in asked)
+    patterns = [*WHOLE, *(pattern for topic, pattern in WITH_LABS.items() if topic in asked)]
+    patterns += ["reference/__init__.py"] if released else []
     for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
             yield name, path.read_bytes()
-    for path in (places.ROOT / package / "__init__.py"
-                 for package in ["labs", *(["reference"] if released else [])]):
-        if path.exists():
-            yield places.shown_path(path), path.read_bytes()
     yield from labs_of(asked, released, extra, spine)
     for topic in came_along(asked):
         path = exercises.reference(topic)
