@@ -138,8 +138,8 @@ LAB = {"labs/transforms.py": "x = 1\n"}
     ("lovelaceada_1234_56789_labs.zip", LAB), (f"{MOODLE}_/labs.zip", LAB),
     ("ada.zip", {**LAB, "labs/notes.txt": ""}),
     ("ada.zip", {"course/labs/transforms.py": "x = 1\n", "course/reference/transforms.py": "no",
-                 "course/tests/mistakes/transforms.py": "no", "course/course/cli.py": "no",
-                 "course/course/handed_out/transforms.py": "no"}),
+                 "course/tests/mistakes/transforms.py": "no", "course/labkit/cli.py": "no",
+                 "course/labkit/handed_out/transforms.py": "no"}),
     *(("ada.zip", {name: "x = 1\n"}) for name in (
         "labs\\transforms.py", "labs/transforms (1).py", "labs/Transforms.py")),
     ("ada.rar", zipped(LAB.items())), ("ada/homework/labs.zip", LAB)])
@@ -193,7 +193,7 @@ def test_the_labs_folder_is_taken_and_nothing_of_ours(handed_in):
     """The reference that was released is graded, or a copy in a folder with old work."""
     one = handed_in({"ada/my/labs/transforms.py": "mine", "ada/my/labs/transforms (1).py": "copy",
                      "ada/reference/transforms.py": "ours", "ada/old/transforms.py": "old",
-                     "ada/course/handed_out/transforms.py": "no", "ada/.git/transforms.py": "no",
+                     "ada/labkit/handed_out/transforms.py": "no", "ada/.git/transforms.py": "no",
                      "ada/tests/labs/test_transforms.py": "no",
                      "ada/__MACOSX/labs/transforms.py": "no"})["ada"]
     assert one.texts == {"transforms": "mine"}

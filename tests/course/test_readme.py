@@ -1,4 +1,4 @@
-"""The README: its lines run, its numbers are true, its links lead somewhere, and it is short."""
+"""The README: its lines run, its numbers are true, and it is short. And the links of all pages."""
 import re
 
 import pytest
@@ -47,10 +47,12 @@ def test_every_lab_has_its_row():
             f"notebooks/{exercises.lecture(topics[0]).name}", f"reference/{topics[0]}.py"]
 
 
-def test_its_links_lead_somewhere():
+@pytest.mark.parametrize("house", ["", "apps", "benchmarks", "course", "labkit", "tests"])
+def test_links_lead_somewhere(house):
     """A file was renamed."""
-    for link in re.findall(r"\]\(([^)#:]+)\)", TEXT):
-        assert (places.ROOT / link).exists(), link
+    for page in places.ROOT.glob(f"{house}/**/*.md" if house else "*.md"):
+        for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / link).exists(), (page, link)
 
 
 def test_what_is_behind_a_call_is_named_as_it_is():
