@@ -3,8 +3,8 @@ import itertools
 
 import numpy as np
 
-from labkit.checks import assert_close, assert_equal
 from course.given import mesh
+from labkit.checks import assert_close, assert_equal
 
 LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-6, 0.5**0.5, 0.01  # as in the module
 # A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.

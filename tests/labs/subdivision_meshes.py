@@ -4,8 +4,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from labkit.checks import Mismatch, assert_equal
 from course.given import mesh
+from labkit.checks import Mismatch, assert_equal
 
 # A hub of valence 5 inside, and one of 4 on the boundary; vertices 3 and 9 belong to no face.
 FAN = np.array([[0, 1, 2], [0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 1], [7, 6, 5], [8, 6, 7]])

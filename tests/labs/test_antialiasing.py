@@ -4,8 +4,8 @@ import itertools
 import numpy as np
 import pytest
 
-from labkit.checks import assert_close, assert_equal, exercise
 from course.given import mesh
+from labkit.checks import assert_close, assert_equal, exercise
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])

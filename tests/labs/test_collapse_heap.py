@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import simplification_meshes as meshes
 
-from labkit.checks import assert_equal, exercise
 from course.given import mesh
+from labkit.checks import assert_equal, exercise
 
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 

@@ -2,8 +2,8 @@
 import numpy as np
 import pytest
 
-from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 from labkit import places
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 
 GOLDEN = places.ROOT / "tests" / "golden" / "rasterize.npz"
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k

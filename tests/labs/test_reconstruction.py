@@ -4,8 +4,8 @@ import itertools
 import numpy as np
 import pytest
 
-from labkit.checks import assert_close, assert_equal, exercise
 from course.given import mesh
+from labkit.checks import assert_close, assert_equal, exercise
 
 PI = np.pi
 Y0, Y1, Y2, Y20, Y22 = (np.sqrt(k / PI) / 2 for k in (1, 3, 15, 5 / 4, 15 / 4))

@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import simplification_meshes as meshes
 
-from labkit.checks import assert_close, assert_equal, exercise
 from course.given import mesh
+from labkit.checks import assert_close, assert_equal, exercise
 
 # --- quadrics ----------------------------------------------------------------------------------
 
