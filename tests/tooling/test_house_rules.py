@@ -16,7 +16,6 @@ LINES = 350       # of a module
 TITLE_LINES = 20  # of the docstring of a module that is taught
 CODE_LINES = 20   # of a function, see code_lines
 PARAMETERS = 7    # of a function; a backward pass may have one more, the gradient that it is given
-KERNEL_LINES, KERNEL_PARAMETERS = 35, 13  # a loop stays whole; each NamedTuple costs a call 3 us
 OF_OTHERS = "course/bridge/"  # its functions have other people's parameters
 EXCEPTIONS = {  # not yet short; the list may only become shorter
     "course/given/plot_3d.surface has more than 7 parameters",  # lectures choose among all of them
@@ -45,11 +44,9 @@ def too_long(topic, text, title_lines=TITLE_LINES):
         yield f"{topic} has a docstring of more than {title_lines} lines"
     for function in ast.walk(module):
         if isinstance(function, ast.FunctionDef):
-            lines, most = CODE_LINES, PARAMETERS + function.name.endswith("_backward")
-            if "kernel" in map(ast.unparse, function.decorator_list):
-                lines, most = KERNEL_LINES, KERNEL_PARAMETERS
-            if code_lines(function, text) > lines:
-                yield f"{topic}.{function.name} has more than {lines} lines of code"
+            most = PARAMETERS + function.name.endswith("_backward")
+            if code_lines(function, text) > CODE_LINES:
+                yield f"{topic}.{function.name} has more than {CODE_LINES} lines of code"
             if parameters(function) > most and not topic.startswith(OF_OTHERS):
                 yield f"{topic}.{function.name} has more than {most} parameters"
 
@@ -92,11 +89,10 @@ def f(a, b, c, *, d, e, f, {g}):
     (LONG.format(g="g, h").replace("def f", "def f_backward"), []),
     (LONG.format(g="g, h, i").replace("def f", "def f_backward"),
      ["x.f_backward has more than 8 parameters"]),
-    ("@kernel" + LONG.format(g="g, h, i, j, k, l, m").partition("\n")[2] + "    a += 1\n" * 35, []),
     ("\n" * 350, []), ("\n" * 351, ["x has more than 350 lines"]),
     ('"""Title.\n' + "a\n" * 19 + '"""\n', []),
     ('"""Title.\n' + "a\n" * 20 + '"""\n', ["x has a docstring of more than 20 lines"]),
-], ids=range(12))
+], ids=range(11))
 def test_what_is_too_long_is_found(text, sentences):
     """Comments count as code, or nothing counts."""
     assert list(too_long("x", text)) == sentences

@@ -112,11 +112,9 @@ def files(asked, released, extra, spine):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()
-    for package in ["labs", *(["reference"] if released else [])]:
-        yield f"{package}/__init__.py", (places.ROOT / package / "__init__.py").read_bytes()
     yield from labs_of(asked, released, extra, spine)
-    for path in (places.ROOT / "course" / "fast").glob("*.py") if "kernels" in asked else ():
-        yield places.shown_path(path), path.read_bytes()  # it has lines of other labs' answers
+    for path in beside(asked, released):
+        yield places.shown_path(path), path.read_bytes()
     for topic in came_along(asked):
         path = exercises.reference(topic)
         name = f"labs/{topic}.py" if path.parent.name == "reference" else places.shown_path(path)
@@ -129,6 +127,15 @@ def files(asked, released, extra, spine):
         for opening in path.parent.glob(f"openings/{path.stem}.png"):
             yield f"notebooks/openings/{opening.name}", opening.read_bytes()
     yield "README.md", readme(asked, released, spine).encode()
+
+
+def beside(asked, released):
+    """Yield what stands beside the topics that are asked for, as far as it is needed."""
+    yield places.ROOT / "labs" / "__init__.py"
+    if released:
+        yield places.ROOT / "reference" / "__init__.py"
+    if "kernels" in asked:  # it has lines of other labs' answers
+        yield from (places.ROOT / "course" / "fast").glob("*.py")
 
 
 def labs_of(asked, released, extra, spine):
