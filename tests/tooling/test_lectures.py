@@ -5,7 +5,7 @@ import re
 import pytest
 
 from course import exercises
-from course.given.places import ROOT
+from course.given.places import ROOT, shown_path
 from course.upkeep import errata, hours, notebooks
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -39,8 +39,9 @@ def test_a_lecture_leads_to_its_neighbours_its_modules_and_its_lab(path):
                           if k > 1 else line)[-len(around):] == [one.name for one in around]
     links = "".join(text_of(page).splitlines()[2] for page in hours.pages(lab))
     for topic in exercises.LABS[lab - 1]:
-        assert f"](../reference/{topic}.py)" in links
-    assert re.search(rf"\]\(../labs/({'|'.join(exercises.LABS[lab - 1])})\.py\)", lines[2])
+        assert f"](../{shown_path(exercises.reference(topic))})" in links
+    asking, _ = exercises.asked_for(str(lab))
+    assert re.search(rf"\]\(../labs/({'|'.join(asking)})\.py\)", lines[2])
 
 
 @each_page

@@ -204,16 +204,16 @@ def test_the_page_names_the_most_unusual_first_and_escapes_what_they_wrote():
 def test_later_runs_find_the_texts_of_earlier_ones_and_of_a_group_one(tmp_path):
     """Late work is compared with nobody's; a group's members are copies of each other."""
     def work(student, text, group=""):
-        return submission(student)._replace(group=group, texts={"arrays": text} if text else {})
+        return submission(student)._replace(group=group, texts={"sampling": text} if text else {})
 
     first = [work("ada", "a\r\n"), work("bob", "b"), work("eve", "e", "g"), work("ann", "e", "g")]
     assert texts.kept(tmp_path, first) == {
-        "ada": {"arrays": "a\r\n"}, "bob": {"arrays": "b"}, "ann": {"arrays": "e"}}
-    nothing = work("bob", "")._replace(missing={"arrays": "it is gone"})
+        "ada": {"sampling": "a\r\n"}, "bob": {"sampling": "b"}, "ann": {"sampling": "e"}}
+    nothing = work("bob", "")._replace(missing={"sampling": "it is gone"})
     second = [work("ada", ""), nothing, work("eve", "", "g"), work("ann", "", "g"),
               work("zoe", "z")]
     assert texts.kept(tmp_path, second) == {
-        "ada": {"arrays": "a\r\n"}, "bob": {}, "ann": {"arrays": "e"}, "zoe": {"arrays": "z"}}
+        "ada": {"sampling": "a\r\n"}, "bob": {}, "ann": {"sampling": "e"}, "zoe": {"sampling": "z"}}
     assert {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.py")} == {
-        "code/ada/arrays.py", "code/ann/arrays.py", "code/zoe/arrays.py",
-        "code-handed-out/arrays.py"}
+        "code/ada/sampling.py", "code/ann/sampling.py", "code/zoe/sampling.py",
+        "code-handed-out/sampling.py"}
