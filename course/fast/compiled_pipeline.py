@@ -85,7 +85,8 @@ def draw_bands(faces, width, height):
 
     Each band looks at all faces. That is worth it where its pixels then stay in the cache.
     """
-    size, buffer = width * height, z_buffer(width, height)
+    size = width * height
+    buffer = z_buffer(width, height)
 
     def band(*rows):
         return face_kernels.draw_faces(faces, (0, len(faces.corners)), rows, height, buffer)

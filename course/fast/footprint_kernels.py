@@ -133,8 +133,7 @@ def footprints_along(runs, picture, mesh, at, footprint):
 
 @kernel
 def footprints_of(pixels, corners, places, at, footprint):
-    """Those of one run: start, end, number, and the picture's width. places: u, v of the corners.
-    """
+    """Those of one run: start, end, number, the row's width. places: u and v of the corners."""
     start, end, number, width = pixels
     u, v = places
     along_x, along_y = edge_steps(*corners)
@@ -247,7 +246,8 @@ def look_backward(look, corners, places, grad_at, grad_footprint, records):
     """The way back from a run to its record. places: u and v of the corners."""
     to_corners, to_uv = records
     q0, q1, q2 = corners
-    normals, none = (cross(q1, q2), cross(q2, q0), cross(q0, q1)), Vector(0.0, 0.0, 0.0)
+    normals = cross(q1, q2), cross(q2, q0), cross(q0, q1)
+    none = Vector(0.0, 0.0, 0.0)
     grads = axis_backward(0, places[0], normals, look, grad_at, grad_footprint,
                           (none, none, none), to_uv)
     g0, g1, g2 = axis_backward(1, places[1], normals, look, grad_at, grad_footprint, grads, to_uv)
@@ -326,8 +326,7 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
 
 
 def require_corners(face_index, uv, uv_faces):
-    """IndexError if a seen face names a corner that does not exist. Kernels would read beside uv.
-    """
+    """IndexError if a seen face names a corner that is not in uv: kernels would read beside it."""
     if uv_faces.size and not 0 <= uv_faces.min() <= uv_faces.max() < len(uv):
         nowhere = np.zeros((*face_index.shape, 3))
         interpolation.interpolation_matrix(len(uv), uv_faces, face_index, nowhere)
@@ -337,7 +336,8 @@ def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv
     """Backward of `footprints`: grad_at (N, 2), grad_footprint (N, 2, 2) -> grad_uv (T, 2),
     grad_clip (V, 4).
     """
-    picture, mesh = flat(face_index), Wrapped(clip, faces, uv, uv_faces)
+    picture = flat(face_index)
+    mesh = Wrapped(clip, faces, uv, uv_faces)
     grad_clip, grad_uv = np.zeros(clip.shape), np.zeros(uv.shape)
 
     def band(runs):

@@ -46,20 +46,20 @@ Records = namedtuple("Records", "face corners colours")
 
 
 @kernel
+def row_of(grid, row):
+    """The first pixel of a row, and that of the next."""
+    return np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
+
+
+@kernel
 def run_at(grid, row, start):
     """The run that begins at a pixel of a row."""
-    first, last = np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
+    first, last = row_of(grid, row)
     face = grid.face_index[start]
     end = start + np.uintp(1)
     while end < last and grid.face_index[end] == face:
         end += np.uintp(1)
     return Run(face, row, first, start, end)
-
-
-@kernel
-def row_of(grid, row):
-    """The first pixel of a row, and that of the next."""
-    return np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
 
 
 @kernel

@@ -25,7 +25,8 @@ Level = namedtuple("Level", "texels start width height")
 @kernel
 def halve_rows(level, half, first, end, channels):
     """Eq. (5): rows first <= i < end of the Level half, from the one below it."""
-    size, columns, rows = len(channels), min(level.width, 2), min(level.height, 2)
+    size = len(channels)
+    columns, rows = min(level.width, 2), min(level.height, 2)
     beside, above = np.uintp((columns - 1) * size), np.uintp((rows - 1) * level.width * size)
     texels, halves = level.texels, half.texels
     for i in range(first, end):
@@ -41,7 +42,8 @@ def halve_rows(level, half, first, end, channels):
 @kernel
 def halve_rows_backward(level, half, first, end, channels):
     """Adds the gradient of the Level half to rows first <= i < end of that of the one below it."""
-    size, columns, rows = len(channels), min(level.width, 2), min(level.height, 2)
+    size = len(channels)
+    columns, rows = min(level.width, 2), min(level.height, 2)
     texels, halves = level.texels, half.texels
     for i in range(first, end):
         low, to = level.start + i * level.width * size, half.start + (i // rows) * half.width * size

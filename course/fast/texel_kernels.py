@@ -145,7 +145,8 @@ def four_weights(weight, job, n, fraction):
 @kernel
 def mix(looks, pyramid, colour, channels):
     """Adds what the jobs see to the colour (N C,)."""
-    size, taps = np.uintp(len(channels)), room_for_run()
+    size = np.uintp(len(channels))
+    taps = room_for_run()
     number, weight, _ = taps
     fraction = looks.fraction
     for each in range(len(looks.first)):
@@ -162,7 +163,8 @@ def mix(looks, pyramid, colour, channels):
 @kernel
 def add_texels(looks, pyramid, grad_colour, channels):
     """Backward of `mix`: adds to a pyramid of gradients."""
-    size, taps = np.uintp(len(channels)), room_for_run()
+    size = np.uintp(len(channels))
+    taps = room_for_run()
     number, weight, _ = taps
     fraction = looks.fraction
     for each in range(len(looks.first)):
@@ -181,7 +183,8 @@ def add_texels(looks, pyramid, grad_colour, channels):
 @kernel
 def add_slopes(looks, pyramid, grad_colour, grad_uv, grad_fraction, channels):
     """Backward of `mix`: adds to grad_uv (2 N,) and grad_fraction (N,)."""
-    size, taps = np.uintp(len(channels)), room_for_run()
+    size = np.uintp(len(channels))
+    taps = room_for_run()
     number, weight, slope = taps
     fraction = looks.fraction
     for each in range(len(looks.first)):
@@ -258,8 +261,9 @@ def make_looks(flat, pyramid, sampler):
     shared = flat.uv, BOUNDARIES.index(sampler.boundary), level, fraction
     top = len(pyramid.start) - 1
     last = (pyramid.smaller if top else pyramid.image)[pyramid.start[-1]:]
+    blends = sampler.filter == "linear-mipmap-linear"
     # Where a texel is not finite, neither is the last level, and 0 times it is NaN.
-    blends, always = sampler.filter == "linear-mipmap-linear", not np.isfinite(last).all()
+    always = not np.isfinite(last).all()
 
     def band(first, end):
         if "mipmap" in sampler.filter:
@@ -325,7 +329,8 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
 def levels_backward(looks, pyramid, jacobian, grad_flat, filter):
     """The way back from the share of the upper level, in grad_flat.bias, to bias and jacobian."""
     first, end = looks.first[0], looks.end[-1]
-    grad_level, part = grad_flat.bias, slice(first, end)
+    grad_level = grad_flat.bias
+    part = slice(first, end)
     top = len(pyramid.start) - 1 if filter == "linear-mipmap-linear" else 0
     grad_level[part] = blend_levels_backward(grad_level[part], looks.level[part], top)
     if jacobian is not None:
