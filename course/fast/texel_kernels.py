@@ -133,10 +133,16 @@ def four_texels(number, job, n, size):
 
 
 @kernel
+def share_of(job, n, fraction):
+    """Eq. (7): how much of a level pixel n sees."""
+    return fraction[n] if job.is_upper else 1 - fraction[n]
+
+
+@kernel
 def four_weights(weight, job, n, fraction):
     """Eqs. (3) and (7)."""
     i = n - np.uintp(job.first)
-    share = fraction[n] if job.is_upper else 1 - fraction[n]
+    share = share_of(job, n, fraction)
     left, right, below, above = weight[0, 0, i], weight[0, 1, i], weight[1, 0, i], weight[1, 1, i]
     return (share * (below * left), share * (below * right),
             share * (above * left), share * (above * right))
@@ -199,10 +205,9 @@ def add_slopes(looks, pyramid, grad_colour, grad_uv, grad_fraction, channels):
                 C += texels[c + k] * grad
                 D += texels[d + k] * grad
             along_u, along_v, seen = place_gradient((A, B, C, D), weight, slope, job, n)
-            share = fraction[n] if job.is_upper else 1 - fraction[n]
-            u = np.uintp(2) * n
-            grad_uv[u] += share * along_u * job.width
-            grad_uv[u + np.uintp(1)] += share * along_v * job.height
+            share = share_of(job, n, fraction)
+            grad_uv[np.uintp(2) * n] += share * along_u * job.width
+            grad_uv[np.uintp(2) * n + np.uintp(1)] += share * along_v * job.height
             grad_fraction[n] += seen if job.is_upper else -seen
 
 
