@@ -25,6 +25,7 @@ from . import (
     pipeline,
     pixel_kernels,
     rasterizer_gradients,
+    texel_kernels,
 )
 from .texel_kernels import constant
 
@@ -84,7 +85,8 @@ def draw_bands(faces, width, height):
 
     Each band looks at all faces. That is worth it where its pixels then stay in the cache.
     """
-    size, buffer = width * height, z_buffer(width, height)
+    size = width * height
+    buffer = z_buffer(width, height)
 
     def band(*rows):
         return face_kernels.draw_faces(faces, (0, len(faces.corners)), rows, height, buffer)
@@ -204,7 +206,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     points, face_index, depth = seen(clip, faces, width, height)
     if isinstance(material, pipeline.Texture):
         barycentric = barycentrics(face_index, points, faces)
-        colour = footprint_kernels.textured(clip, face_index, material, faces)
+        colour = textured(clip, face_index, material, faces)
         colour[face_index < 0] = background
     else:
         barycentric, colour = coloured(face_index, points, faces,
@@ -229,6 +231,31 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     return grad_material, grad_clip
 
 
+def textured(clip, face_index, material, faces):
+    """`pipeline.textured` without other Buffers: the colour (H, W, C), 0 where no face is seen."""
+    at, footprint = footprint_kernels.footprints(*looked_up(clip, face_index, material, faces))
+    picture = np.zeros((*face_index.shape, material.image.shape[2]))
+    picture[face_index >= 0] = texel_kernels.texture(material.image, at, footprint,
+                                                     filter=material.filter)
+    return picture
+
+
+def textured_backward(grad_colour, clip, face_index, material, faces):
+    """Backward of `textured`: grad_colour (H, W, C) -> Texture of gradients, grad_clip (V, 4)."""
+    where = looked_up(clip, face_index, material, faces)
+    at, footprint = footprint_kernels.footprints(*where)
+    grad_image, grad_at, grad_footprint, _ = texel_kernels.texture_backward(
+        grad_colour[face_index >= 0], material.image, at, footprint, filter=material.filter)
+    grad_uv, grad_clip = footprint_kernels.footprints_backward(grad_at, grad_footprint, *where)
+    return pipeline.Texture(grad_uv, None, grad_image, None), grad_clip
+
+
+def looked_up(clip, face_index, material, faces):
+    """What `footprints` takes."""
+    return (clip, face_index, faces, np.asarray(material.uv, float), material.uv_faces,
+            footprint_kernels.runs_in_bands(face_index))
+
+
 def through_texture(grad_picture, buffers, faces, material):
     """The way back through a texture, and through the blended pairs."""
     grad_edges = np.zeros(buffers.clip.shape)
@@ -236,7 +263,7 @@ def through_texture(grad_picture, buffers, faces, material):
     grad_colour = grad_picture.copy()
     channels = grad_picture.shape[2]
     np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
-    grad_material, grad_clip = footprint_kernels.textured_backward(
+    grad_material, grad_clip = textured_backward(
         grad_colour, buffers.clip, buffers.face_index, material, faces)
     return grad_material, grad_clip + grad_edges
 

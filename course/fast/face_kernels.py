@@ -12,7 +12,7 @@ Most faces of a large mesh are small. One of a few columns is tested pixel by pi
 functions that are only nearly right. Where all signs are certain that is enough. All other faces
 take the exact way: on each row a quotient finds where an edge crosses, and the exact sum decides.
 """
-from typing import NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
@@ -26,60 +26,25 @@ NARROW = 4      # columns of a small face
 CERTAIN = 1e-9  # square pixels: within NARROW columns, no rounding turns the sign of more than this
 
 
-class Corner(NamedTuple):
-    """A vertex on screen: x, y of its pixel, z / w, and w."""
+# A vertex on screen: x, y of its pixel, z / w, and w.
+Corner = namedtuple("Corner", "x y z w")
 
-    x: float
-    y: float
-    z: float
-    w: float
+# Samples: left <= column < right, bottom <= row < top.
+Box = namedtuple("Box", "left right bottom top")
 
+# Eq. (2), as `first_column` takes it: on the row at height y, slope (column - x) + rise (row - y)
+# grows from left to right. It is >= 0 inside of an edge that opens the row's interval, and outside
+# of the others.
+Edge = namedtuple("Edge", "opens slope reciprocal rise x y")
 
-class Box(NamedTuple):
-    """Samples: left <= column < right, bottom <= row < top."""
+# Eq. (4): a corner, and how the depth changes along x and along y.
+Plane = namedtuple("Plane", "corner dz_dx dz_dy")
 
-    left: int
-    right: int
-    bottom: int
-    top: int
+# What is drawn: corners (F, 3), points (V, 4) and outcode (V,) of `project_vertices`.
+Faces = namedtuple("Faces", "corners points outcode")
 
-
-class Edge(NamedTuple):
-    """Eq. (2), as `first_column` takes it: on the row at height y, slope (column - x) + rise (row -
-    y) grows from left to right. It is >= 0 inside of an edge that opens the row's interval, and
-    outside of the others.
-    """
-
-    opens: bool
-    slope: float
-    reciprocal: float  # of the slope
-    rise: float
-    x: float
-    y: float
-
-
-class Plane(NamedTuple):
-    """Eq. (4): a corner, and how the depth changes along x and along y."""
-
-    corner: Corner
-    dz_dx: float
-    dz_dy: float
-
-
-class Faces(NamedTuple):
-    """What is drawn: corners (F, 3), points (V, 4) and outcode (V,) of `project_vertices`."""
-
-    corners: np.ndarray
-    points: np.ndarray
-    outcode: np.ndarray
-
-
-class ZBuffer(NamedTuple):
-    """What is drawn on, one long row each: face_index, depth (H W,). centres (W,): of columns."""
-
-    centres: np.ndarray
-    face_index: np.ndarray
-    depth: np.ndarray
+# What is drawn on, one long row each: face_index, depth (H W,). centres (W,): of columns.
+ZBuffer = namedtuple("ZBuffer", "centres face_index depth")
 
 
 @kernel

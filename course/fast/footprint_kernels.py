@@ -9,20 +9,41 @@ normals n_k = q_i x q_j of rasterizer_gradients.py and the corners' u_k, a pixel
 u = sum u_k e_k / sum e_k, and all e_k of a run are linear in its n_k. So a run needs the gradients
 of sum u_k n_k and of sum n_k alone, and writes to a corner once.
 """
+from collections import namedtuple
+
 import numpy as np
 
 from course.given.compiled import each_band, kernel
 
-from . import interpolation, pyramid_kernels, rasterization, texel_kernels
-from .pipeline import Texture
+from . import interpolation, pyramid_kernels, rasterization
+
+# Pixels start <= pixel < end that see one face, the first the number-th that sees any: (R,) each.
+Runs = namedtuple("Runs", "start end number")
+
+# A flat one: the face that each pixel sees (H W,), -1 for none, and how wide it is.
+Picture = namedtuple("Picture", "face_index width")
+
+# vertices x, y, w on screen (V, 3) or in clip space (V, 4), faces, uv_faces (F, 3), uv (T, 2).
+Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces")
+
+# Of a face: x, y and w on screen, or q_k of rasterizer_gradients.py. Or a normal n_k, whose w is
+# its e; or a gradient of these.
+Vector = namedtuple("Vector", "x y w")
+
+# A number at each corner of a face.
+Three = namedtuple("Three", "a b c")
+
+# A run's record, the number of its first pixel, how many they are, the place of the first in ndc,
+# the steps of X and Y to a neighbour, and the unit of its corners.
+Look = namedtuple("Look", "record number count X Y step_x step_y unit")
 
 
 @kernel
-def seen_runs(face_index, width):
-    """The runs of a flat picture (R, 3): first pixel, end, and what number the first pixel has
-    among those that see a face.
-    """
-    runs, count, number = np.empty((len(face_index), 3), np.int32), 0, 0
+def seen_runs(picture):
+    """The Runs of a Picture that see a face."""
+    face_index, width = picture
+    starts, ends, numbers = np.empty((3, len(face_index)), np.int32)
+    count, number = 0, 0
     for first in range(0, len(face_index), max(width, 1)):
         start, last = first, first + width
         while start < last:
@@ -30,66 +51,117 @@ def seen_runs(face_index, width):
             while end < last and face_index[end] == face_index[start]:
                 end += 1
             if face_index[start] >= 0:
-                runs[count, 0], runs[count, 1], runs[count, 2] = start, end, number
+                starts[count], ends[count], numbers[count] = start, end, number
                 count, number = count + 1, number + end - start
             start = end
-    return runs[:count].copy()
+    return Runs(starts[:count].copy(), ends[:count].copy(), numbers[:count].copy())
 
 
 @kernel
-def edges_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
+def vector(screen, v):
+    """Where a vertex is on screen."""
+    return Vector(screen[v, 0], screen[v, 1], screen[v, 2])
+
+
+@kernel
+def places_of(uv, uv_faces, face):
+    """u and v of a face's corners."""
+    a, b, c = uv_faces[face, 0], uv_faces[face, 1], uv_faces[face, 2]
+    return Three(uv[a, 0], uv[b, 0], uv[c, 0]), Three(uv[a, 1], uv[b, 1], uv[c, 1])
+
+
+@kernel
+def edges_at(x, y, a, b, c):
     """c of eq. (5) of rasterization.py."""
-    x0, y0, x1, y1, x2, y2 = x0 - px, y0 - py, x1 - px, y1 - py, x2 - px, y2 - py
-    return (x1 * y2 - x2 * y1) / w0, (x2 * y0 - x0 * y2) / w1, (x0 * y1 - x1 * y0) / w2
+    x0, y0, x1, y1, x2, y2 = a.x - x, a.y - y, b.x - x, b.y - y, c.x - x, c.y - y
+    return Three((x1 * y2 - x2 * y1) / a.w, (x2 * y0 - x0 * y2) / b.w, (x0 * y1 - x1 * y0) / c.w)
 
 
 @kernel
-def edge_steps(x0, y0, w0, x1, y1, w1, x2, y2, w2):
+def edge_steps(a, b, c):
     """dc/dx and dc/dy, the same all over the face."""
-    return ((y1 - y2) / w0, (y2 - y0) / w1, (y0 - y1) / w2,
-            (x2 - x1) / w0, (x0 - x2) / w1, (x1 - x0) / w2)
+    return (Three((b.y - c.y) / a.w, (c.y - a.y) / b.w, (a.y - b.y) / c.w),
+            Three((c.x - b.x) / a.w, (a.x - c.x) / b.w, (b.x - a.x) / c.w))
 
 
 @kernel
-def footprints_along(runs, face_index, screen, faces, uv, uv_faces, width, at, footprint):
-    """The footprints of some runs: screen (V, 3): x, y, w -> at (2 N,), footprint (4 N,). False if
-    a pixel sees a face, or a face has a vertex, that is not there.
+def total(three):
+    """The sum of its numbers."""
+    return three.a + three.b + three.c
+
+
+@kernel
+def mixed(weights, three):
+    """A corner's number, for each of these weights."""
+    return 0.0 + weights.a * three.a + weights.b * three.b + weights.c * three.c
+
+
+@kernel
+def change_of(weights, step, sum_of_steps, s):
+    """Eq. (6) of rasterization.py along one axis."""
+    return Three((step.a - weights.a * sum_of_steps) / s, (step.b - weights.b * sum_of_steps) / s,
+                 (step.c - weights.c * sum_of_steps) / s)
+
+
+@kernel
+def has_corners(faces, uv_faces, face, vertex_count):
+    """Is it one of the faces, and are its corners vertices?"""
+    if face >= min(len(faces), len(uv_faces)):
+        return False
+    a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+    return min(a, b, c) >= 0 and max(a, b, c) < vertex_count
+
+
+@kernel
+def footprints_along(runs, picture, mesh, at, footprint):
+    """The footprints of some runs: at (2 N,), footprint (4 N,), on screen. False if a pixel sees a
+    face, or a face has a vertex, that is not there.
     """
-    for run in range(len(runs)):
-        face, n = face_index[runs[run, 0]], np.uintp(runs[run, 2])
-        if face >= min(len(faces), len(uv_faces)):
+    face_index, width = picture
+    screen, faces, uv, uv_faces = mesh
+    starts, ends, numbers = runs
+    for run in range(len(starts)):
+        face = face_index[starts[run]]
+        if not has_corners(faces, uv_faces, face, len(screen)):
             return False
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-        if min(a, b, c) < 0 or max(a, b, c) >= len(screen):
-            return False
-        corners = (screen[a, 0], screen[a, 1], screen[a, 2], screen[b, 0], screen[b, 1],
-                   screen[b, 2], screen[c, 0], screen[c, 1], screen[c, 2])
-        a, b, c = uv_faces[face, 0], uv_faces[face, 1], uv_faces[face, 2]
-        u0, u1, u2, v0, v1, v2 = uv[a, 0], uv[b, 0], uv[c, 0], uv[a, 1], uv[b, 1], uv[c, 1]
-        x0, x1, x2, y0, y1, y2 = edge_steps(*corners)
-        x, y = x0 + x1 + x2, y0 + y1 + y2
-        px, py = runs[run, 0] % width + 0.5, runs[run, 0] // width + 0.5
-        for i in range(np.uintp(runs[run, 1] - runs[run, 0])):
-            c0, c1, c2 = edges_at(px + np.int32(i), py, *corners)
-            s = c0 + c1 + c2
-            b0, b1, b2 = c0 / s, c1 / s, c2 / s
-            k = np.uintp(2) * (n + i)
-            at[k] = 0.0 + b0 * u0 + b1 * u1 + b2 * u2
-            at[k + np.uintp(1)] = 0.0 + b0 * v0 + b1 * v1 + b2 * v2
-            k = k + k
-            d0, d1, d2 = (x0 - b0 * x) / s, (x1 - b1 * x) / s, (x2 - b2 * x) / s
-            footprint[k] = 0.0 + d0 * u0 + d1 * u1 + d2 * u2
-            footprint[k + np.uintp(2)] = 0.0 + d0 * v0 + d1 * v1 + d2 * v2
-            d0, d1, d2 = (y0 - b0 * y) / s, (y1 - b1 * y) / s, (y2 - b2 * y) / s
-            footprint[k + np.uintp(1)] = 0.0 + d0 * u0 + d1 * u1 + d2 * u2
-            footprint[k + np.uintp(3)] = 0.0 + d0 * v0 + d1 * v1 + d2 * v2
+        corners = vector(screen, a), vector(screen, b), vector(screen, c)
+        pixels = starts[run], ends[run], numbers[run], width
+        footprints_of(pixels, corners, places_of(uv, uv_faces, face), at, footprint)
     return True
 
 
 @kernel
+def footprints_of(pixels, corners, places, at, footprint):
+    """Those of one run: start, end, number, the row's width. places: u and v of the corners."""
+    start, end, number, width = pixels
+    u, v = places
+    along_x, along_y = edge_steps(*corners)
+    sum_x, sum_y = total(along_x), total(along_y)
+    x, y = start % width + 0.5, start // width + 0.5
+    for i in range(np.uintp(end - start)):
+        edges = edges_at(x + np.int32(i), y, *corners)
+        s = total(edges)
+        weights = Three(edges.a / s, edges.b / s, edges.c / s)
+        k = np.uintp(2) * (np.uintp(number) + i)
+        at[k], at[k + np.uintp(1)] = mixed(weights, u), mixed(weights, v)
+        by_x = change_of(weights, along_x, sum_x, s)
+        by_y = change_of(weights, along_y, sum_y, s)
+        k = k + k
+        footprint[k], footprint[k + np.uintp(1)] = mixed(by_x, u), mixed(by_y, u)
+        footprint[k + np.uintp(2)], footprint[k + np.uintp(3)] = mixed(by_x, v), mixed(by_y, v)
+
+
+@kernel
 def cross(p, q):
-    """p x q of two tuples."""
-    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+    """p x q."""
+    return Vector(p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x)
+
+
+@kernel
+def dot(p, q):
+    """p . q."""
+    return p.x * q.x + p.y * q.y + p.w * q.w
 
 
 @kernel
@@ -102,98 +174,136 @@ def unit_of_corners(clip, a, b, c):
 
 
 @kernel
-def corner_from(clip, vertex, X, Y, unit):
-    """q_k of rasterizer_gradients.py."""
+def vector_from(clip, vertex, look):
+    """q_k of rasterizer_gradients.py, in the run's unit."""
+    unit = look.unit
     x, y, w = clip[vertex, 0] * unit, clip[vertex, 1] * unit, clip[vertex, 3] * unit
-    return x - X * w, y - Y * w, w
+    return Vector(x - look.X * w, y - look.Y * w, w)
 
 
 @kernel
-def sums_along(weighted, whole, step_x, step_y, grad_at, grad_footprint, n, count, axis):
+def sums_along(weighted, whole, look, axis, grad_at, grad_footprint):
     """Along a run, for u (axis 0) or v: the gradient of weighted = sum u_k n_k, and less that of
-    whole = sum n_k. The run's pixels are numbers n to n + count - 1.
+    whole = sum n_k.
     """
     # N = weighted, S = whole: u = N / S and du/dX = (N_X - u S_X) / S at N = N_e + t N_X, and so S.
     # With the gradients g of u, g_X of du/dX, g_Y: dL/dN = (g - (S_X g_X + S_Y g_Y) / S) / S = p,
     # dL/dN_X = g_X / S + t p,  -dL/dS = u p + (du/dX g_X + du/dY g_Y) / S,  -dL/dS_X = u g_X / S.
     p_x, p_y, p_e, p_t, m_x, m_y, m_e, m_t = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(count):
-        t = np.int32(i) * step_x
-        s = whole[2] + t * whole[0]
+    for i in range(np.uintp(look.count)):
+        t = np.int32(i) * look.step_x
+        s = whole.w + t * whole.x
         r = 0.0 if s == 0 else 1 / s
-        u = (weighted[2] + t * weighted[0]) * r
-        k, l = np.uintp(2) * (n + i) + axis, np.uintp(4) * (n + i) + np.uintp(2) * axis
-        g_x, g_y = r * step_x * grad_footprint[l], r * step_y * grad_footprint[l + np.uintp(1)]
-        p = r * (grad_at[k] - (whole[0] * g_x + whole[1] * g_y))
-        m = u * p + r * ((weighted[0] - u * whole[0]) * g_x + (weighted[1] - u * whole[1]) * g_y)
+        u = (weighted.w + t * weighted.x) * r
+        k = np.uintp(2) * (np.uintp(look.number) + i) + np.uintp(axis)
+        g_x = r * look.step_x * grad_footprint[k + k]
+        g_y = r * look.step_y * grad_footprint[k + k + np.uintp(1)]
+        p = r * (grad_at[k] - (whole.x * g_x + whole.y * g_y))
+        m = u * p + r * ((weighted.x - u * whole.x) * g_x + (weighted.y - u * whole.y) * g_y)
         p_x, p_y, p_e, p_t = p_x + g_x, p_y + g_y, p_e + p, p_t + t * p
         m_x, m_y, m_e, m_t = m_x + u * g_x, m_y + u * g_y, m_e + m, m_t + t * m
-    return (p_x + p_t, p_y, p_e), (m_x + m_t, m_y, m_e)
+    return Vector(p_x + p_t, p_y, p_e), Vector(m_x + m_t, m_y, m_e)
 
 
 @kernel
-def corner_gradient(record, at, X, Y, unit, p, grad_p, q, grad_q):
-    """n_p x p and q x n_q are two normals: their gradients -> those of x, y, w of the corner."""
-    u, v = cross(p, grad_p), cross(grad_q, q)  # g . (p x q) = p . (q x g) = q . (g x p)
-    x, y = u[0] + v[0], u[1] + v[1]
-    record[at], record[at + 1] = x * unit, y * unit
-    record[at + 2] = (u[2] + v[2] - X * x - Y * y) * unit
+def added(grad, factor, p, m):
+    """grad + factor p - m."""
+    return Vector(grad.x + factor * p.x - m.x, grad.y + factor * p.y - m.y,
+                  grad.w + factor * p.w - m.w)
 
 
 @kernel
-def run_gradients(runs, face_index, clip, faces, uv, uv_faces, width, grad_at, grad_footprint,
-                  record):
-    """The way back from some runs: record[run] becomes the gradients of x, y, w of three corners,
-    and of (u, v) of three.
+def vector_backward(k, p, grad_p, q, grad_q, look, to_corners):
+    """Two normals are n_p = r x p and n_q = q x r of corner r, number k: their gradients -> those
+    of its x, y and w.
     """
-    height = len(face_index) // max(width, 1)
-    for run in range(len(runs)):
-        start, face = runs[run, 0], face_index[runs[run, 0]]
-        X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
-        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-        unit = unit_of_corners(clip, a, b, c)
-        q0, q1, q2 = (corner_from(clip, a, X, Y, unit), corner_from(clip, b, X, Y, unit),
-                      corner_from(clip, c, X, Y, unit))
-        n0, n1, n2 = cross(q1, q2), cross(q2, q0), cross(q0, q1)
-        whole = n0[0] + n1[0] + n2[0], n0[1] + n1[1] + n2[1], n0[2] + n1[2] + n2[2]
-        g0, g1, g2 = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        for axis in range(2):
-            u0 = uv[uv_faces[face, 0], axis]  # u is measured from it, for the sake of digits
-            u1, u2 = uv[uv_faces[face, 1], axis] - u0, uv[uv_faces[face, 2], axis] - u0
-            weighted = (u1 * n1[0] + u2 * n2[0], u1 * n1[1] + u2 * n2[1], u1 * n1[2] + u2 * n2[2])
-            p, m = sums_along(weighted, whole, 2 / width, 2 / height, grad_at, grad_footprint,
-                              np.uintp(runs[run, 2]), np.uintp(runs[run, 1] - start),
-                              np.uintp(axis))
-            g0 = g0[0] - m[0], g0[1] - m[1], g0[2] - m[2]
-            g1 = g1[0] + u1 * p[0] - m[0], g1[1] + u1 * p[1] - m[1], g1[2] + u1 * p[2] - m[2]
-            g2 = g2[0] + u2 * p[0] - m[0], g2[1] + u2 * p[1] - m[1], g2[2] + u2 * p[2] - m[2]
-            record[run, 9 + axis] = n0[0] * p[0] + n0[1] * p[1] + n0[2] * p[2]
-            record[run, 11 + axis] = n1[0] * p[0] + n1[1] * p[1] + n1[2] * p[2]
-            record[run, 13 + axis] = n2[0] * p[0] + n2[1] * p[1] + n2[2] * p[2]
-        corner_gradient(record[run], 0, X, Y, unit, q1, g2, q2, g1)
-        corner_gradient(record[run], 3, X, Y, unit, q2, g0, q0, g2)
-        corner_gradient(record[run], 6, X, Y, unit, q0, g1, q1, g0)
+    u, v = cross(p, grad_p), cross(grad_q, q)  # g . (p x q) = p . (q x g) = q . (g x p)
+    x, y = u.x + v.x, u.y + v.y
+    to_corners[look.record, k, 0] = x * look.unit
+    to_corners[look.record, k, 1] = y * look.unit
+    to_corners[look.record, k, 2] = (u.w + v.w - look.X * x - look.Y * y) * look.unit
 
 
 @kernel
-def add_to_corners(runs, face_index, faces, uv_faces, record, grad_clip, grad_uv):
+def axis_backward(axis, place, normals, look, grad_at, grad_footprint, grads, to_uv):
+    """The way back from u (axis 0) or v along a run: to its values at the corners, and to the
+    normals, whose grads were those so far -> those now.
+    """
+    n0, n1, n2 = normals
+    g0, g1, g2 = grads
+    u1, u2 = place.b - place.a, place.c - place.a  # from the first, for the sake of digits
+    weighted = Vector(u1 * n1.x + u2 * n2.x, u1 * n1.y + u2 * n2.y, u1 * n1.w + u2 * n2.w)
+    whole = Vector(n0.x + n1.x + n2.x, n0.y + n1.y + n2.y, n0.w + n1.w + n2.w)
+    p, m = sums_along(weighted, whole, look, axis, grad_at, grad_footprint)
+    to_uv[look.record, 0, axis] = dot(n0, p)
+    to_uv[look.record, 1, axis] = dot(n1, p)
+    to_uv[look.record, 2, axis] = dot(n2, p)
+    return added(g0, 0.0, p, m), added(g1, u1, p, m), added(g2, u2, p, m)
+
+
+@kernel
+def look_backward(look, corners, places, grad_at, grad_footprint, records):
+    """The way back from a run to its record. places: u and v of the corners."""
+    to_corners, to_uv = records
+    q0, q1, q2 = corners
+    normals = cross(q1, q2), cross(q2, q0), cross(q0, q1)
+    none = Vector(0.0, 0.0, 0.0)
+    grads = axis_backward(0, places[0], normals, look, grad_at, grad_footprint,
+                          (none, none, none), to_uv)
+    g0, g1, g2 = axis_backward(1, places[1], normals, look, grad_at, grad_footprint, grads, to_uv)
+    vector_backward(0, q1, g2, q2, g1, look, to_corners)
+    vector_backward(1, q2, g0, q0, g2, look, to_corners)
+    vector_backward(2, q0, g1, q1, g0, look, to_corners)
+
+
+@kernel
+def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
+    """The way back from some runs: records are what x, y, w of three corners get (R, 3, 3), and
+    what (u, v) of three (R, 3, 2).
+    """
+    face_index, width = picture
+    height = len(face_index) // max(width, 1)
+    clip, faces, uv, uv_faces = mesh
+    for run in range(len(runs.start)):
+        face = face_index[runs.start[run]]
+        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+        start, end, number = runs.start[run], runs.end[run], runs.number[run]
+        X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
+        look = Look(run, number, end - start, X, Y, 2 / width, 2 / height,
+                    unit_of_corners(clip, a, b, c))
+        corners = (vector_from(clip, a, look), vector_from(clip, b, look),
+                   vector_from(clip, c, look))
+        places = places_of(uv, uv_faces, face)
+        look_backward(look, corners, places, grad_at, grad_footprint, records)
+
+
+@kernel
+def add_to_corners(runs, face_index, mesh, records, grad_clip, grad_uv):
     """Runs of `run_gradients` -> grad_clip (V, 4), grad_uv (T, 2)."""
-    for run in range(len(runs)):
+    _, faces, _, uv_faces = mesh
+    to_corners, to_uv = records
+    for run in range(len(runs.start)):
+        face = face_index[runs.start[run]]
         for k in range(3):
-            vertex = faces[face_index[runs[run, 0]], k]
-            corner = uv_faces[face_index[runs[run, 0]], k]
-            grad_clip[vertex, 0] += record[run, 3 * k]
-            grad_clip[vertex, 1] += record[run, 3 * k + 1]
-            grad_clip[vertex, 3] += record[run, 3 * k + 2]
-            grad_uv[corner, 0] += record[run, 9 + 2 * k]
-            grad_uv[corner, 1] += record[run, 10 + 2 * k]
+            vertex, place = faces[face, k], uv_faces[face, k]
+            grad_clip[vertex, 0] += to_corners[run, k, 0]
+            grad_clip[vertex, 1] += to_corners[run, k, 1]
+            grad_clip[vertex, 3] += to_corners[run, k, 2]
+            grad_uv[place, 0] += to_uv[run, k, 0]
+            grad_uv[place, 1] += to_uv[run, k, 1]
+
+
+def flat(face_index):
+    """The Picture of face_index (H, W)."""
+    return Picture(face_index.ravel(), face_index.shape[1])
 
 
 def runs_in_bands(face_index):
     """The runs of a picture (H, W), in bands of about so many pixels as a thread takes."""
-    runs = seen_runs(face_index.ravel(), face_index.shape[1])
+    runs = seen_runs(flat(face_index))
     count = 1 + face_index.size // pyramid_kernels.STEP
-    return [(band,) for band in np.array_split(runs, count)]
+    return [(Runs(*band),) for band in zip(*(np.array_split(part, count) for part in runs),
+                                           strict=True)]
 
 
 def footprints(clip, face_index, faces, uv, uv_faces, bands):
@@ -203,10 +313,11 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
     count = np.count_nonzero(face_index >= 0)
     at, footprint = np.empty((count, 2)), np.empty((count, 2, 2))
     screen = np.stack(rasterization.screen_points(clip, width, height), -1)
+    mesh = Wrapped(screen, faces, uv, uv_faces)
 
     def band(runs):
-        return footprints_along(runs, face_index.ravel(), screen, faces, uv, uv_faces, width,
-                                at.reshape(-1), footprint.reshape(-1))
+        return footprints_along(runs, flat(face_index), mesh, at.reshape(-1),
+                                footprint.reshape(-1))
 
     if not all(list(each_band(band, bands))):
         raise IndexError("face_index names faces that are not there, or faces name vertices that "
@@ -215,8 +326,7 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
 
 
 def require_corners(face_index, uv, uv_faces):
-    """IndexError if a seen face names a corner that does not exist. Kernels would read beside uv.
-    """
+    """IndexError if a seen face names a corner that is not in uv: kernels would read beside it."""
     if uv_faces.size and not 0 <= uv_faces.min() <= uv_faces.max() < len(uv):
         nowhere = np.zeros((*face_index.shape, 3))
         interpolation.interpolation_matrix(len(uv), uv_faces, face_index, nowhere)
@@ -226,35 +336,15 @@ def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv
     """Backward of `footprints`: grad_at (N, 2), grad_footprint (N, 2, 2) -> grad_uv (T, 2),
     grad_clip (V, 4).
     """
-    given = face_index.ravel(), clip, faces, uv, uv_faces, face_index.shape[1]
+    picture = flat(face_index)
+    mesh = Wrapped(clip, faces, uv, uv_faces)
     grad_clip, grad_uv = np.zeros(clip.shape), np.zeros(uv.shape)
 
     def band(runs):
-        record = np.empty((len(runs), 15))
-        run_gradients(runs, *given, grad_at.ravel(), grad_footprint.ravel(), record)
-        return runs, record
+        records = np.empty((len(runs.start), 3, 3)), np.empty((len(runs.start), 3, 2))
+        run_gradients(runs, picture, mesh, grad_at.ravel(), grad_footprint.ravel(), records)
+        return runs, records
 
-    for runs, record in each_band(band, bands):
-        add_to_corners(runs, face_index.ravel(), faces, uv_faces, record, grad_clip, grad_uv)
+    for runs, records in each_band(band, bands):
+        add_to_corners(runs, picture.face_index, mesh, records, grad_clip, grad_uv)
     return grad_uv, grad_clip
-
-
-def textured(clip, face_index, material, faces):
-    """`pipeline.textured` without other Buffers: the colour (H, W, C), 0 where no face is seen."""
-    at, footprint = footprints(clip, face_index, faces, np.asarray(material.uv, float),
-                               material.uv_faces, runs_in_bands(face_index))
-    picture = np.zeros((*face_index.shape, material.image.shape[2]))
-    picture[face_index >= 0] = texel_kernels.texture(material.image, at, footprint,
-                                                     filter=material.filter)
-    return picture
-
-
-def textured_backward(grad_colour, clip, face_index, material, faces):
-    """Backward of `textured`: grad_colour (H, W, C) -> Texture of gradients, grad_clip (V, 4)."""
-    where = (clip, face_index, faces, np.asarray(material.uv, float), material.uv_faces,
-             runs_in_bands(face_index))
-    at, footprint = footprints(*where)
-    grad_image, grad_at, grad_footprint, _ = texel_kernels.texture_backward(
-        grad_colour[face_index >= 0], material.image, at, footprint, filter=material.filter)
-    grad_uv, grad_clip = footprints_backward(grad_at, grad_footprint, *where)
-    return Texture(grad_uv, None, grad_image, None), grad_clip

@@ -8,7 +8,7 @@ The numbers are equations of antialiasing.py, and the decisions are those of out
 last bit. Most pairs lie between two faces of one surface. So a face's silhouette comes first, found
 when the first of its pairs asks for it. Threads may find one twice, and write the same byte.
 """
-from typing import NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
@@ -20,65 +20,29 @@ from .rasterization import CAMERA_PLANE
 KNOWN = np.uint8(8)  # a face's silhouette has been found: bits 0 to 2 are its edges
 
 
-class Screen(NamedTuple):
-    """A flat picture (H W,): the face that each pixel sees, and its depth; and its sides."""
+# A flat picture (H W,): the face that each pixel sees, and its depth; and its sides.
+Screen = namedtuple("Screen", "face_index depth width height")
 
-    face_index: np.ndarray
-    depth: np.ndarray
-    width: int
-    height: int
+# points (V, 4) on screen, faces (F, 3), opposite (F, 3); silhouettes (F,): what was found.
+Surface = namedtuple("Surface", "points faces opposite silhouettes")
 
+# A vertex: x, y and w on screen, or x and y in the frame of a pair.
+Point = namedtuple("Point", "x y w")
 
-class Surface(NamedTuple):
-    """points (V, 4) on screen, faces (F, 3), opposite (F, 3); silhouettes (F,): what was found."""
+# Where a pair of pixels begins, and in which direction it runs: 1 or -1 along one axis.
+Frame = namedtuple("Frame", "x y dx dy")
 
-    points: np.ndarray
-    faces: np.ndarray
-    opposite: np.ndarray
-    silhouettes: np.ndarray
+# The edge that a pair's line crosses last: at c, between p and q, the vertices i and j.
+Crossing = namedtuple("Crossing", "edge c i j p q")
 
-
-class Corner(NamedTuple):
-    """A vertex: x, y and w on screen, or x and y in the frame of a pair."""
-
-    x: float
-    y: float
-    w: float
-
-
-class Frame(NamedTuple):
-    """Where a pair of pixels begins, and in which direction it runs: 1 or -1 along one axis."""
-
-    x: float
-    y: float
-    dx: float
-    dy: float
-
-
-class Crossing(NamedTuple):
-    """The edge that a pair's line crosses last: at c, between p and q, the vertices i and j."""
-
-    edge: int
-    c: float
-    i: int
-    j: int
-    p: Corner
-    q: Corner
-
-
-class Step(NamedTuple):
-    """From a pair's owner to its other pixel, and the picture's sides."""
-
-    dx: int
-    dy: int
-    width: int
-    height: int
+# From a pair's owner to its other pixel, and the picture's sides.
+Step = namedtuple("Step", "dx dy width height")
 
 
 @kernel
-def corner(points, v):
+def point(points, v):
     """Where a vertex is on screen."""
-    return Corner(points[v, 0], points[v, 1], points[v, 3])
+    return Point(points[v, 0], points[v, 1], points[v, 3])
 
 
 @kernel
@@ -92,15 +56,15 @@ def is_clockwise(a, b, c):
 @kernel
 def turns(points, vertex, b, c, own):
     """Does the surface turn at the edge from b to c, before a vertex across it that may be none?"""
-    return not 0 <= vertex < len(points) or is_clockwise(corner(points, vertex), b, c) == own
+    return not 0 <= vertex < len(points) or is_clockwise(point(points, vertex), b, c) == own
 
 
 @kernel
 def silhouette_of(points, faces, opposite, face):
     """Eq. (1) for one face: bit k for edge k, and KNOWN."""
-    a = corner(points, faces[face, 0])
-    b = corner(points, faces[face, 1])
-    c = corner(points, faces[face, 2])
+    a = point(points, faces[face, 0])
+    b = point(points, faces[face, 1])
+    c = point(points, faces[face, 2])
     own = is_clockwise(a, b, c)
     at_0 = turns(points, opposite[face, 0], b, c, own)
     at_1 = turns(points, opposite[face, 1], c, a, own)
@@ -124,16 +88,16 @@ def crossing(p, q):
 def in_frame(a, frame):
     """Eq. (2): a corner in the frame of a pair."""
     x, y = a.x - frame.x, a.y - frame.y
-    return Corner(frame.dx * x + frame.dy * y, abs(frame.dy) * x + abs(frame.dx) * y, a.w)
+    return Point(frame.dx * x + frame.dy * y, abs(frame.dy) * x + abs(frame.dx) * y, a.w)
 
 
 @kernel
 def last_crossing(points, corners, frame):
     """The Crossing of a pair's line."""
     i, j, k = corners
-    a = in_frame(corner(points, i), frame)
-    b = in_frame(corner(points, j), frame)
-    c = in_frame(corner(points, k), frame)
+    a = in_frame(point(points, i), frame)
+    b = in_frame(point(points, j), frame)
+    c = in_frame(point(points, k), frame)
     at_1, at_2 = crossing(c, a), crossing(a, b)
     found = Crossing(0, crossing(b, c), j, k, b, c)
     if at_1 > found.c:

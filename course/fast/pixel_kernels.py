@@ -12,98 +12,37 @@ and of X grad_e_k, and writes to each of its vertices once.
 
 The sums are those of NumPy's twin in another order: along each run first.
 """
-from typing import NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
 from course.given.compiled import kernel
 
+# A flat picture: the face that each pixel sees (H W,), -1 for none, and its sides.
+Grid = namedtuple("Grid", "face_index width height")
 
-class Grid(NamedTuple):
-    """A flat picture: the face that each pixel sees (H W,), -1 for none, and its sides."""
+# What is seen: vertices (V, 4), on screen or in clip space, faces (F, 3), colours (V, C).
+Shape = namedtuple("Shape", "vertices faces colours")
 
-    face_index: np.ndarray
-    width: int
-    height: int
+# Pixels start <= pixel < end that see one face, of the row that begins at pixel first.
+Run = namedtuple("Run", "face row first start end")
 
+# Pixels that see one face: where their gradients begin, how many they are, the place of the first
+# in ndc, and the step to the next.
+Sight = namedtuple("Sight", "face begin count X Y step")
 
-class Shape(NamedTuple):
-    """What is seen: vertices (V, 4), on screen or in clip space, faces (F, 3), colours (V, C)."""
+# Of a face: x, y and w on screen. Or q_k of rasterizer_gradients.py.
+Vertex = namedtuple("Vertex", "x y w")
 
-    vertices: np.ndarray
-    faces: np.ndarray
-    colours: np.ndarray
+# An e along a run: its value at the first pixel, and its slope in X. Or the gradients of both: the
+# sum of grad_e along the run, and that of X grad_e.
+Line = namedtuple("Line", "value slope")
 
+# At each pixel of a run: b_k, 1 / s, and the gradients of b_1 and b_2 less that of b_0.
+Along = namedtuple("Along", "b0 b1 b2 r h1 h2")
 
-class Run(NamedTuple):
-    """Pixels start <= pixel < end that see one face, of the row that begins at pixel first."""
-
-    face: int
-    row: int
-    first: int
-    start: int
-    end: int
-
-
-class Sight(NamedTuple):
-    """Pixels that see one face: where their gradients begin, how many they are, the place of the
-    first in ndc, and the step to the next.
-    """
-
-    face: int
-    begin: int
-    count: int
-    X: float
-    Y: float
-    step: float
-
-
-class Corner(NamedTuple):
-    """Of a face: x, y and w on screen. Or q_k of rasterizer_gradients.py."""
-
-    x: float
-    y: float
-    w: float
-
-
-class Line(NamedTuple):
-    """An e along a run: its value at the first pixel, and its slope in X. Or the gradients of both:
-    the sum of grad_e along the run, and that of X grad_e.
-    """
-
-    value: float
-    slope: float
-
-
-class Along(NamedTuple):
-    """At each pixel of a run: b_k, 1 / s, and the gradients of b_1 and b_2 less that of b_0."""
-
-    b0: np.ndarray
-    b1: np.ndarray
-    b2: np.ndarray
-    r: np.ndarray
-    h1: np.ndarray
-    h2: np.ndarray
-
-
-class Records(NamedTuple):
-    """Of R runs: the face (R,), and what its corners get, x, y, w (R, 3, 3) and colours (R, 3, C).
-    """
-
-    face: np.ndarray
-    corners: np.ndarray
-    colours: np.ndarray
-
-
-@kernel
-def run_at(grid, row, start):
-    """The run that begins at a pixel of a row."""
-    first, last = np.uintp(row * grid.width), np.uintp((row + 1) * grid.width)
-    face = grid.face_index[start]
-    end = start + np.uintp(1)
-    while end < last and grid.face_index[end] == face:
-        end += np.uintp(1)
-    return Run(face, row, first, start, end)
+# Of R runs: the face (R,), and what its corners get, x, y, w (R, 3, 3) and colours (R, 3, C).
+Records = namedtuple("Records", "face corners colours")
 
 
 @kernel
@@ -113,9 +52,20 @@ def row_of(grid, row):
 
 
 @kernel
-def corner(points, v):
+def run_at(grid, row, start):
+    """The run that begins at a pixel of a row."""
+    first, last = row_of(grid, row)
+    face = grid.face_index[start]
+    end = start + np.uintp(1)
+    while end < last and grid.face_index[end] == face:
+        end += np.uintp(1)
+    return Run(face, row, first, start, end)
+
+
+@kernel
+def vertex(points, v):
     """Where a vertex is on screen."""
-    return Corner(points[v, 0], points[v, 1], points[v, 3])
+    return Vertex(points[v, 0], points[v, 1], points[v, 3])
 
 
 @kernel
@@ -135,7 +85,7 @@ def weigh(points, faces, run, weights):
             weights[0, pixel] = weights[1, pixel] = weights[2, pixel] = 0.0
         return
     i, j, k = faces[run.face, 0], faces[run.face, 1], faces[run.face, 2]
-    a, b, c = corner(points, i), corner(points, j), corner(points, k)
+    a, b, c = vertex(points, i), vertex(points, j), vertex(points, k)
     for column in range(run.start - run.first, run.end - run.first):
         pixel = run.first + column
         weights[0, pixel], weights[1, pixel], weights[2, pixel] = weights_at(
@@ -201,10 +151,10 @@ def are_there(faces, face, vertex_count):
 
 
 @kernel
-def corner_from(clip, v, sight):
+def seen_from(clip, v, sight):
     """q_k of rasterizer_gradients.py: a corner, measured from the place X, Y in ndc."""
     w = clip[v, 3]
-    return Corner(clip[v, 0] - sight.X * w, clip[v, 1] - sight.Y * w, w)
+    return Vertex(clip[v, 0] - sight.X * w, clip[v, 1] - sight.Y * w, w)
 
 
 @kernel
@@ -218,7 +168,7 @@ def unit_of(p, q, r):
 @kernel
 def scaled(q, unit):
     """A corner in another unit."""
-    return Corner(q.x * unit, q.y * unit, q.w * unit)
+    return Vertex(q.x * unit, q.y * unit, q.w * unit)
 
 
 @kernel
@@ -231,8 +181,8 @@ def edge_along(p, q):
 def edge_along_backward(grad, p, q):
     """The gradients of p and q, from those of e and its slope."""
     # With G = (slope, 0, grad_e), G . (p x q) = p . (q x G) = q . (G x p).
-    return (Corner(q.y * grad.value, q.w * grad.slope - q.x * grad.value, -q.y * grad.slope),
-            Corner(-p.y * grad.value, p.x * grad.value - p.w * grad.slope, p.y * grad.slope))
+    return (Vertex(q.y * grad.value, q.w * grad.slope - q.x * grad.value, -q.y * grad.slope),
+            Vertex(-p.y * grad.value, p.x * grad.value - p.w * grad.slope, p.y * grad.slope))
 
 
 @kernel
@@ -287,7 +237,7 @@ def colours_backward(grad_picture, sight, shape, channels, along, n, records):
 
 
 @kernel
-def corner_backward(u, v, sight, n, k, records):
+def vertex_backward(u, v, sight, n, k, records):
     """Gradients u + v of q_k -> those of the corner's x, y and w."""
     x, y = u.x + v.x, u.y + v.y
     records.corners[n, k, 0] = x
@@ -301,9 +251,9 @@ def run_backward(grad_picture, sight, shape, channels, along, n, records):
     """The way back from pixels that see one face, in a flat grad_picture -> record n."""
     clip, faces, _ = shape
     face = sight.face
-    q0 = corner_from(clip, faces[face, 0], sight)
-    q1 = corner_from(clip, faces[face, 1], sight)
-    q2 = corner_from(clip, faces[face, 2], sight)
+    q0 = seen_from(clip, faces[face, 0], sight)
+    q1 = seen_from(clip, faces[face, 1], sight)
+    q2 = seen_from(clip, faces[face, 2], sight)
     unit = unit_of(q0, q1, q2)
     q0, q1, q2 = scaled(q0, unit), scaled(q1, unit), scaled(q2, unit)
     weights_along(sight, edge_along(q1, q2), edge_along(q2, q0), edge_along(q0, q1), along)
@@ -312,9 +262,9 @@ def run_backward(grad_picture, sight, shape, channels, along, n, records):
     to_q1, to_q2 = edge_along_backward(g0, q1, q2)
     also_q2, to_q0 = edge_along_backward(g1, q2, q0)
     also_q0, also_q1 = edge_along_backward(g2, q0, q1)
-    corner_backward(to_q0, also_q0, sight, n, 0, records)
-    corner_backward(to_q1, also_q1, sight, n, 1, records)
-    corner_backward(to_q2, also_q2, sight, n, 2, records)
+    vertex_backward(to_q0, also_q0, sight, n, 0, records)
+    vertex_backward(to_q1, also_q1, sight, n, 1, records)
+    vertex_backward(to_q2, also_q2, sight, n, 2, records)
     records.face[n] = face
 
 

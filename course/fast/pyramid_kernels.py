@@ -4,7 +4,7 @@ Level 0 of the pyramid is the image itself. The other levels follow each other i
 arrays are flat: texel t of a level is C numbers at start + C t. channels is any tuple of C numbers,
 so that compiled code knows C.
 """
-from typing import NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
@@ -15,53 +15,59 @@ from . import mipmapping
 STEP = 1 << 14  # pixels, or texels, that a thread takes at a time
 
 
-class Pyramid(NamedTuple):
-    """The levels of a texture, or their gradients."""
+# The levels of a texture, or their gradients.
+Pyramid = namedtuple("Pyramid", "image smaller start width height")
 
-    image: np.ndarray    # level 0
-    smaller: np.ndarray  # the others
-    width: np.ndarray    # (L,) of each level
-    height: np.ndarray   # (L,)
-    start: np.ndarray    # (L,) where it begins
+# One of them, or its gradient: where it begins in an array of texels, and its sides.
+Level = namedtuple("Level", "texels start width height")
 
 
 @kernel
-def halve_rows(texels, at, width, height, first, end, halves, to, channels):
-    """Eq. (5): rows first <= i < end of the level at halves[to], from the one at texels[at]."""
-    size, columns, rows = len(channels), min(width, 2), min(height, 2)
-    beside, above = np.uintp((columns - 1) * size), np.uintp((rows - 1) * width * size)
+def halve_rows(level, half, first, end, channels):
+    """Eq. (5): rows first <= i < end of the Level half, from the one below it."""
+    size = len(channels)
+    columns, rows = min(level.width, 2), min(level.height, 2)
+    beside, above = np.uintp((columns - 1) * size), np.uintp((rows - 1) * level.width * size)
+    texels, halves = level.texels, half.texels
     for i in range(first, end):
-        low, half = at + i * rows * width * size, to + i * (width // columns) * size
-        for j in range(width // columns):
+        low, to = level.start + i * rows * level.width * size, half.start + i * half.width * size
+        for j in range(half.width):
             for k in range(size):
                 a = np.uintp(low + j * columns * size + k)
                 b = a + beside
-                halves[np.uintp(half + j * size + k)] = (
+                halves[np.uintp(to + j * size + k)] = (
                     (texels[a] + texels[a + above]) + (texels[b] + texels[b + above])) / 4
 
 
 @kernel
-def halve_rows_backward(texels, at, width, height, first, end, halves, to, channels):
-    """Adds the gradient of the level at halves[to] to rows first <= i < end of that at texels[at].
-    """
-    size, columns, rows = len(channels), min(width, 2), min(height, 2)
+def halve_rows_backward(level, half, first, end, channels):
+    """Adds the gradient of the Level half to rows first <= i < end of that of the one below it."""
+    size = len(channels)
+    columns, rows = min(level.width, 2), min(level.height, 2)
+    texels, halves = level.texels, half.texels
     for i in range(first, end):
-        low, half = at + i * width * size, to + (i // rows) * (width // columns) * size
-        for j in range(width):
+        low, to = level.start + i * level.width * size, half.start + (i // rows) * half.width * size
+        for j in range(level.width):
             for k in range(size):
                 texels[np.uintp(low + j * size + k)] += (
-                    halves[np.uintp(half + (j // columns) * size + k)] / (rows * columns))
+                    halves[np.uintp(to + (j // columns) * size + k)] / (rows * columns))
+
+
+@kernel
+def squares_at(jacobian, n, width, height):
+    """Rows s_x, s_y and t_x, t_y of pixel n's J in texels, and A, B, C of eq. (6)."""
+    at = np.uintp(4) * n
+    s_x, s_y = jacobian[at] * width, jacobian[at + np.uintp(1)] * width
+    t_x, t_y = jacobian[at + np.uintp(2)] * height, jacobian[at + np.uintp(3)] * height
+    return (s_x, s_y, t_x, t_y, s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y,
+            s_x * s_y + t_x * t_y)
 
 
 @kernel
 def squared_sizes(jacobian, width, height, first, end, squared):
     """The square of eq. (6)'s greatest singular value, of pixels first <= n < end."""
     for n in range(np.uintp(first), np.uintp(end)):
-        at = np.uintp(4) * n
-        s_x, s_y = jacobian[at] * width, jacobian[at + np.uintp(1)] * width
-        t_x, t_y = jacobian[at + np.uintp(2)] * height, jacobian[at + np.uintp(3)] * height
-        A, B = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y
-        C = s_x * s_y + t_x * t_y
+        _, _, _, _, A, B, C = squares_at(jacobian, n, width, height)
         squared[n] = (A + B) / 2 + np.sqrt((A - B) * (A - B) / 4 + C * C)
 
 
@@ -69,22 +75,19 @@ def squared_sizes(jacobian, width, height, first, end, squared):
 def squared_sizes_backward(grad_level, jacobian, width, height, first, end, grad_jacobian):
     """`mip_level_backward` of pixels first <= n < end."""
     for n in range(np.uintp(first), np.uintp(end)):
-        x, y = np.uintp(4) * n, np.uintp(4) * n + np.uintp(1)
-        u, v = x + np.uintp(2), y + np.uintp(2)
-        s_x, s_y = jacobian[x] * width, jacobian[y] * width
-        t_x, t_y = jacobian[u] * height, jacobian[v] * height
-        A, B = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y
-        C = s_x * s_y + t_x * t_y
-        S, R = (A + B) / 2, np.sqrt((A - B) * (A - B) / 4 + C * C)
+        s_x, s_y, t_x, t_y, A, B, C = squares_at(jacobian, n, width, height)
+        S = (A + B) / 2
+        R = np.sqrt((A - B) * (A - B) / 4 + C * C)
         grad_sum = grad_level[n] / (2 * np.log(2.0) * (S + R if S > 0 else np.inf))
         by_root = grad_sum / (R if R > 0 else np.inf)
         grad_A = grad_sum + by_root * (A - B) / 2  # twice the gradients of A and B
         grad_B = grad_sum - by_root * (A - B) / 2
         grad_C = by_root * C
-        grad_jacobian[x] = width * (grad_A * s_x + grad_C * s_y)
-        grad_jacobian[y] = width * (grad_B * s_y + grad_C * s_x)
-        grad_jacobian[u] = height * (grad_A * t_x + grad_C * t_y)
-        grad_jacobian[v] = height * (grad_B * t_y + grad_C * t_x)
+        at = np.uintp(4) * n
+        grad_jacobian[at] = width * (grad_A * s_x + grad_C * s_y)
+        grad_jacobian[at + np.uintp(1)] = width * (grad_B * s_y + grad_C * s_x)
+        grad_jacobian[at + np.uintp(2)] = height * (grad_A * t_x + grad_C * t_y)
+        grad_jacobian[at + np.uintp(3)] = height * (grad_B * t_y + grad_C * t_x)
 
 
 def in_steps(function, count, step):
@@ -93,13 +96,17 @@ def in_steps(function, count, step):
     return list(each_band(function, bands))
 
 
+def level_of(pyramid, level):
+    """One Level of a Pyramid."""
+    return Level(pyramid.smaller if level else pyramid.image, pyramid.start[level],
+                 pyramid.width[level], pyramid.height[level])
+
+
 def between_levels(halve, pyramid, level, rows, channels):
     """halve: `halve_rows` or its backward pass, for as many rows."""
-    texels = pyramid.smaller if level > 1 else pyramid.image
-    below = pyramid.start[level - 1], pyramid.width[level - 1], pyramid.height[level - 1]
-    half = pyramid.smaller, pyramid.start[level], channels
-    in_steps(lambda first, end: halve(texels, *below, first, end, *half),
-             rows, max(STEP // int(below[1]), 1))
+    below, half = level_of(pyramid, level - 1), level_of(pyramid, level)
+    in_steps(lambda first, end: halve(below, half, first, end, channels),
+             rows, max(STEP // int(below.width), 1))
 
 
 def make_pyramid(image, sampler, channels):
@@ -109,7 +116,7 @@ def make_pyramid(image, sampler, channels):
     height, width, _ = np.transpose([level.shape for level in levels])
     count = height * width * image.shape[2]
     start = np.append([0, 0], np.cumsum(count[1:]))[:len(levels)]
-    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum()), width, height, start)
+    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum()), start, width, height)
     for level in range(1, len(levels)):
         between_levels(halve_rows, pyramid, level, height[level], channels)
     return pyramid
@@ -121,14 +128,14 @@ def add_to_image(grads, channels):
         between_levels(halve_rows_backward, grads, level, grads.height[level - 1], channels)
 
 
-def levels_of(footprint, sizes, first, end, level):
+def levels_of(footprint, pyramid, first, end, level):
     """`footprint_level` of pixels first <= n < end. footprint: its parts are flat. The logarithm is
     NumPy's, because numba's may round otherwise.
     """
     _, jacobian, bias = footprint
     part = slice(first, end)
     if jacobian is not None:
-        squared_sizes(jacobian, *sizes, first, end, level)
+        squared_sizes(jacobian, pyramid.width[0], pyramid.height[0], first, end, level)
         with np.errstate(divide="ignore"):
             level[part] = np.log2(level[part]) / 2
     level[part] += bias[part]

@@ -8,7 +8,7 @@
 
 Pyramids are those of pyramid_kernels.py. All arrays are flat: pixel n has its colour at C n.
 """
-from typing import NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
@@ -22,24 +22,26 @@ RUN = 1 << 8
 WRAP, CLAMP = BOUNDARIES.index("wrap"), BOUNDARIES.index("clamp")
 
 
-class Looks(NamedTuple):
-    """Where pixels look: uv (2 N,) and the boundary; level and fraction (N,), eq. (7); and jobs
-    (J, 4) for some of them: first <= n < end, a level, and whether it is the upper one.
-    """
+# Where pixels look: uv (2 N,) and the boundary; level and fraction (N,), eq. (7). And jobs for some
+# of them (J,): first <= n < end look into a level, which may be the upper of two.
+Looks = namedtuple("Looks", "uv boundary level fraction first end into is_upper")
 
-    uv: np.ndarray
-    boundary: int
-    level: np.ndarray
-    fraction: np.ndarray
-    jobs: np.ndarray | None = None
+# What a run of pixels sees along both axes: number, weight, slope (2, 2, RUN) of the texel before
+# each pixel's place and of the next, on axis u and on v. slope: the weight's change from texel to
+# texel. Where a texel is not inside, weight and slope are 0.
+Taps = namedtuple("Taps", "number weight slope")
+
+# One of the jobs of Looks, and the level of the pyramid.
+Job = namedtuple("Job", "first end is_upper start width height")
 
 
 @kernel
-def find_runs(level, top, blends, always, first, end, fraction):
-    """`mixture` of pixels first <= n < end: their fraction -> the jobs of Looks.
+def find_runs(level, top, blends, always, part, fraction):
+    """`mixture` of pixels first <= n < end of a part: their fraction -> the jobs of Looks.
 
     blends: eq. (7) is asked for. always: also where one level has the share 0.
     """
+    first, end = part
     key = np.empty(end - first, np.int32)
     for n in range(np.uintp(first), np.uintp(end)):
         clamped = min(max(level[n], 0.0), float(top))
@@ -47,17 +49,23 @@ def find_runs(level, top, blends, always, first, end, fraction):
         mixes = blends & (always | ((clamped > 0) & (clamped < top)))
         fraction[n] = clamped - lower if blends else 0.0
         key[n - np.uintp(first)] = 2 * np.int32(lower) + mixes
-    jobs = np.empty((2 * len(key), 4), np.intp)
+    return jobs_of(key, first, top)
+
+
+@kernel
+def jobs_of(key, first, top):
+    """The jobs of pixels from first on. key: twice the lower level, and 1 if the upper counts."""
+    firsts, ends, levels, uppers = np.empty((4, 2 * len(key)), np.intp)
     count, begin = 0, 0
     for i in range(1, len(key) + 1):
         if i == len(key) or key[i] != key[begin] or i == begin + RUN:
-            lower = key[begin] // 2
             for upper in range(1 + key[begin] % 2):
-                jobs[count, 0], jobs[count, 1] = first + begin, first + i
-                jobs[count, 2], jobs[count, 3] = min(lower + upper, top), upper
+                firsts[count], ends[count] = first + begin, first + i
+                levels[count], uppers[count] = min(key[begin] // 2 + upper, top), upper
                 count += 1
             begin = i
-    return jobs[:count].copy()
+    return (firsts[:count].copy(), ends[:count].copy(), levels[:count].copy(),
+            uppers[:count].copy())
 
 
 @kernel
@@ -80,45 +88,62 @@ def standing(j, size, boundary):
 
 
 @kernel
-def along_axis(uv, axis, first, end, size, boundary, number, weight, slope):
-    """Eq. (2) of a run, pixels first <= n < end: what `linear_texels` finds, in rows 2 axis and
-    2 axis + 1 of number, weight, and slope, the weight's change from texel to texel. Where a texel
-    is not inside, these two are 0.
-    """
-    size, a, b = float(size), 2 * axis, 2 * axis + 1
-    for n in range(np.uintp(first), np.uintp(end)):
-        i = n - np.uintp(first)
+def along_axis(uv, boundary, axis, job, size, taps):
+    """Eq. (2) of a run along one axis: what `linear_texels` finds."""
+    number, weight, slope = taps
+    for n in range(np.uintp(job.first), np.uintp(job.end)):
+        i = n - np.uintp(job.first)
         position = near(uv[np.uintp(2) * n + np.uintp(axis)], boundary) * size - 0.5
         below = np.floor(position)
         j, j_inside = standing(below, size, boundary)
         k, k_inside = standing(below + 1, size, boundary)
-        number[a, i], number[b, i] = np.int32(j), np.int32(k)
-        weight[a, i] = 1 - (position - below) if j_inside else 0.0
-        weight[b, i] = position - below if k_inside else 0.0
-        slope[a, i] = -1.0 if j_inside else 0.0
-        slope[b, i] = 1.0 if k_inside else 0.0
+        number[axis, 0, i], number[axis, 1, i] = np.int32(j), np.int32(k)
+        weight[axis, 0, i] = 1 - (position - below) if j_inside else 0.0
+        weight[axis, 1, i] = position - below if k_inside else 0.0
+        slope[axis, 0, i] = -1.0 if j_inside else 0.0
+        slope[axis, 1, i] = 1.0 if k_inside else 0.0
 
 
 @kernel
 def room_for_run():
-    """number, weight and slope of a run: left, right, below and above of each pixel."""
-    return np.empty((4, RUN), np.int32), np.empty((4, RUN)), np.empty((4, RUN))
+    """Taps of which nothing is written yet."""
+    return Taps(np.empty((2, 2, RUN), np.int32), np.empty((2, 2, RUN)), np.empty((2, 2, RUN)))
 
 
 @kernel
-def four_texels(number, i, width, start, size):
-    """Where the texels of the run's i-th pixel begin: the lower row from left to right, the upper.
-    """
-    below, above = start + number[2, i] * width * size, start + number[3, i] * width * size
-    left, right = number[0, i] * size, number[1, i] * size
+def begun(looks, pyramid, number, taps):
+    """One of the jobs: its Job, its Taps, and the texels that its level is in."""
+    level = looks.into[number]
+    job = Job(looks.first[number], looks.end[number], looks.is_upper[number] == 1,
+              pyramid.start[level], pyramid.width[level], pyramid.height[level])
+    along_axis(looks.uv, looks.boundary, 0, job, float(job.width), taps)
+    along_axis(looks.uv, looks.boundary, 1, job, float(job.height), taps)
+    return job, pyramid.image if level == 0 else pyramid.smaller
+
+
+@kernel
+def four_texels(number, job, n, size):
+    """Where the texels of pixel n begin: the lower row from left to right, the upper."""
+    i = n - np.uintp(job.first)
+    below = job.start + number[1, 0, i] * job.width * size
+    above = job.start + number[1, 1, i] * job.width * size
+    left, right = number[0, 0, i] * size, number[0, 1, i] * size
     return (np.uintp(below + left), np.uintp(below + right),
             np.uintp(above + left), np.uintp(above + right))
 
 
 @kernel
-def four_weights(weight, i, share):
+def share_of(job, n, fraction):
+    """Eq. (7): how much of a level pixel n sees."""
+    return fraction[n] if job.is_upper else 1 - fraction[n]
+
+
+@kernel
+def four_weights(weight, job, n, fraction):
     """Eqs. (3) and (7)."""
-    left, right, below, above = weight[0, i], weight[1, i], weight[2, i], weight[3, i]
+    i = n - np.uintp(job.first)
+    share = share_of(job, n, fraction)
+    left, right, below, above = weight[0, 0, i], weight[0, 1, i], weight[1, 0, i], weight[1, 1, i]
     return (share * (below * left), share * (below * right),
             share * (above * left), share * (above * right))
 
@@ -127,41 +152,32 @@ def four_weights(weight, i, share):
 def mix(looks, pyramid, colour, channels):
     """Adds what the jobs see to the colour (N C,)."""
     size = np.uintp(len(channels))
-    uv, boundary, _, fraction, jobs = looks
-    image, smaller, width, height, start = pyramid
-    number, weight, slope = room_for_run()
-    for job in range(len(jobs)):
-        first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
-        texels = image if level == 0 else smaller
-        along_axis(uv, 0, first, end, width[level], boundary, number, weight, slope)
-        along_axis(uv, 1, first, end, height[level], boundary, number, weight, slope)
-        for n in range(np.uintp(first), np.uintp(end)):
-            i, at = n - np.uintp(first), n * size
-            share = fraction[n] if is_upper else 1 - fraction[n]
-            a, b, c, d = four_texels(number, i, width[level], start[level], len(channels))
-            A, B, C, D = four_weights(weight, i, share)
+    taps = room_for_run()
+    number, weight, _ = taps
+    fraction = looks.fraction
+    for each in range(len(looks.first)):
+        job, texels = begun(looks, pyramid, each, taps)
+        for n in range(np.uintp(job.first), np.uintp(job.end)):
+            a, b, c, d = four_texels(number, job, n, len(channels))
+            A, B, C, D = four_weights(weight, job, n, fraction)
             for k in range(size):
-                colour[at + k] = (colour[at + k] + A * texels[a + k] + B * texels[b + k]
-                                  + C * texels[c + k] + D * texels[d + k])
+                at = n * size + k
+                colour[at] = (colour[at] + A * texels[a + k] + B * texels[b + k]
+                              + C * texels[c + k] + D * texels[d + k])
 
 
 @kernel
 def add_texels(looks, pyramid, grad_colour, channels):
     """Backward of `mix`: adds to a pyramid of gradients."""
     size = np.uintp(len(channels))
-    uv, boundary, _, fraction, jobs = looks
-    image, smaller, width, height, start = pyramid
-    number, weight, slope = room_for_run()
-    for job in range(len(jobs)):
-        first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
-        texels = image if level == 0 else smaller
-        along_axis(uv, 0, first, end, width[level], boundary, number, weight, slope)
-        along_axis(uv, 1, first, end, height[level], boundary, number, weight, slope)
-        for n in range(np.uintp(first), np.uintp(end)):
-            i = n - np.uintp(first)
-            share = fraction[n] if is_upper else 1 - fraction[n]
-            a, b, c, d = four_texels(number, i, width[level], start[level], len(channels))
-            A, B, C, D = four_weights(weight, i, share)
+    taps = room_for_run()
+    number, weight, _ = taps
+    fraction = looks.fraction
+    for each in range(len(looks.first)):
+        job, texels = begun(looks, pyramid, each, taps)
+        for n in range(np.uintp(job.first), np.uintp(job.end)):
+            a, b, c, d = four_texels(number, job, n, len(channels))
+            A, B, C, D = four_weights(weight, job, n, fraction)
             for k in range(size):
                 grad = grad_colour[n * size + k]
                 texels[a + k] += A * grad
@@ -174,18 +190,13 @@ def add_texels(looks, pyramid, grad_colour, channels):
 def add_slopes(looks, pyramid, grad_colour, grad_uv, grad_fraction, channels):
     """Backward of `mix`: adds to grad_uv (2 N,) and grad_fraction (N,)."""
     size = np.uintp(len(channels))
-    uv, boundary, _, fraction, jobs = looks
-    image, smaller, width, height, start = pyramid
-    number, weight, slope = room_for_run()
-    for job in range(len(jobs)):
-        first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
-        texels = image if level == 0 else smaller
-        along_axis(uv, 0, first, end, width[level], boundary, number, weight, slope)
-        along_axis(uv, 1, first, end, height[level], boundary, number, weight, slope)
-        for n in range(np.uintp(first), np.uintp(end)):
-            i, u = n - np.uintp(first), np.uintp(2) * n
-            share = fraction[n] if is_upper else 1 - fraction[n]
-            a, b, c, d = four_texels(number, i, width[level], start[level], len(channels))
+    taps = room_for_run()
+    number, weight, slope = taps
+    fraction = looks.fraction
+    for each in range(len(looks.first)):
+        job, texels = begun(looks, pyramid, each, taps)
+        for n in range(np.uintp(job.first), np.uintp(job.end)):
+            a, b, c, d = four_texels(number, job, n, len(channels))
             A, B, C, D = 0.0, 0.0, 0.0, 0.0  # the gradients of the four weights
             for k in range(size):
                 grad = grad_colour[n * size + k]
@@ -193,33 +204,43 @@ def add_slopes(looks, pyramid, grad_colour, grad_uv, grad_fraction, channels):
                 B += texels[b + k] * grad
                 C += texels[c + k] * grad
                 D += texels[d + k] * grad
-            left, right, below, above = weight[0, i], weight[1, i], weight[2, i], weight[3, i]
-            along_u = (below * (slope[0, i] * A + slope[1, i] * B)
-                       + above * (slope[0, i] * C + slope[1, i] * D))
-            along_v = (left * (slope[2, i] * A + slope[3, i] * C)
-                       + right * (slope[2, i] * B + slope[3, i] * D))
-            seen = (A * (below * left) + B * (below * right)
-                    + C * (above * left) + D * (above * right))
-            grad_uv[u] += share * along_u * width[level]
-            grad_uv[u + np.uintp(1)] += share * along_v * height[level]
-            grad_fraction[n] += seen if is_upper else -seen
+            along_u, along_v, seen = place_gradient((A, B, C, D), weight, slope, job, n)
+            share = share_of(job, n, fraction)
+            grad_uv[np.uintp(2) * n] += share * along_u * job.width
+            grad_uv[np.uintp(2) * n + np.uintp(1)] += share * along_v * job.height
+            grad_fraction[n] += seen if job.is_upper else -seen
 
 
 @kernel
-def nearest(uv, n, width, height, boundary):
+def place_gradient(grad_weights, weight, slope, job, n):
+    """The gradients of a pixel's place in texels, before its share counts, and of this share."""
+    A, B, C, D = grad_weights
+    i = n - np.uintp(job.first)
+    left, right, below, above = weight[0, 0, i], weight[0, 1, i], weight[1, 0, i], weight[1, 1, i]
+    along_u = (below * (slope[0, 0, i] * A + slope[0, 1, i] * B)
+               + above * (slope[0, 0, i] * C + slope[0, 1, i] * D))
+    along_v = (left * (slope[1, 0, i] * A + slope[1, 1, i] * C)
+               + right * (slope[1, 0, i] * B + slope[1, 1, i] * D))
+    seen = (A * (below * left) + B * (below * right) + C * (above * left) + D * (above * right))
+    return along_u, along_v, seen
+
+
+@kernel
+def nearest(looks, pyramid, n):
     """Eq. (1): the texel that pixel n sees, and its weight, 1 or 0."""
-    u, v = near(uv[2 * n], boundary), near(uv[2 * n + 1], boundary)
-    j, j_inside = standing(np.floor(u * width), float(width), boundary)
-    i, i_inside = standing(np.floor(v * height), float(height), boundary)
+    width, height = pyramid.width[0], pyramid.height[0]
+    u, v = near(looks.uv[2 * n], looks.boundary), near(looks.uv[2 * n + 1], looks.boundary)
+    j, j_inside = standing(np.floor(u * width), float(width), looks.boundary)
+    i, i_inside = standing(np.floor(v * height), float(height), looks.boundary)
     return int(i) * width + int(j), 1.0 if i_inside & j_inside else 0.0
 
 
 @kernel
 def pick(looks, pyramid, colour, channels):
     """The nearest texels, which filter "nearest" sees."""
-    size, jobs = len(channels), looks.jobs
-    for n in range(jobs[0, 0], jobs[-1, 1]):
-        at, weight = nearest(looks.uv, n, pyramid.width[0], pyramid.height[0], looks.boundary)
+    size = len(channels)
+    for n in range(looks.first[0], looks.end[-1]):
+        at, weight = nearest(looks, pyramid, n)
         for k in range(size):
             colour[n * size + k] = 0.0 + weight * pyramid.image[at * size + k]
 
@@ -227,9 +248,9 @@ def pick(looks, pyramid, colour, channels):
 @kernel
 def pick_backward(looks, pyramid, grad_colour, channels):
     """Adds to a pyramid of gradients."""
-    size, jobs = len(channels), looks.jobs
-    for n in range(jobs[0, 0], jobs[-1, 1]):
-        at, weight = nearest(looks.uv, n, pyramid.width[0], pyramid.height[0], looks.boundary)
+    size = len(channels)
+    for n in range(looks.first[0], looks.end[-1]):
+        at, weight = nearest(looks, pyramid, n)
         for k in range(size):
             pyramid.image[at * size + k] += weight * grad_colour[n * size + k]
 
@@ -242,17 +263,17 @@ def constant(count):
 def make_looks(flat, pyramid, sampler):
     """Looks for each band of pixels, which share all but the jobs. flat: their footprint."""
     level, fraction = np.zeros(len(flat.uv) // 2), np.empty(len(flat.uv) // 2)
-    looks = Looks(flat.uv, BOUNDARIES.index(sampler.boundary), level, fraction)
+    shared = flat.uv, BOUNDARIES.index(sampler.boundary), level, fraction
     top = len(pyramid.start) - 1
     last = (pyramid.smaller if top else pyramid.image)[pyramid.start[-1]:]
+    blends = sampler.filter == "linear-mipmap-linear"
     # Where a texel is not finite, neither is the last level, and 0 times it is NaN.
-    blends, always = sampler.filter == "linear-mipmap-linear", not np.isfinite(last).all()
+    always = not np.isfinite(last).all()
 
     def band(first, end):
         if "mipmap" in sampler.filter:
-            pyramid_kernels.levels_of(flat, (pyramid.width[0], pyramid.height[0]), first, end,
-                                      level)
-        return looks._replace(jobs=find_runs(level, top, blends, always, first, end, fraction))
+            pyramid_kernels.levels_of(flat, pyramid, first, end, level)
+        return Looks(*shared, *find_runs(level, top, blends, always, (first, end), fraction))
 
     return pyramid_kernels.in_steps(band, len(level), pyramid_kernels.STEP)
 
@@ -312,8 +333,9 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
 
 def levels_backward(looks, pyramid, jacobian, grad_flat, filter):
     """The way back from the share of the upper level, in grad_flat.bias, to bias and jacobian."""
-    first, end = looks.jobs[0, 0], looks.jobs[-1, 1]
-    grad_level, part = grad_flat.bias, slice(first, end)
+    first, end = looks.first[0], looks.end[-1]
+    grad_level = grad_flat.bias
+    part = slice(first, end)
     top = len(pyramid.start) - 1 if filter == "linear-mipmap-linear" else 0
     grad_level[part] = blend_levels_backward(grad_level[part], looks.level[part], top)
     if jacobian is not None:

@@ -9,7 +9,8 @@ is replaced: labs/ runs what a student wrote, and what is checked or graded is p
 wrong index is an error. Compiled code reads on in memory.
 
 numba keeps machine code beside a module, in __pycache__, until that one file changes. So a kernel
-calls kernels of its own file only.
+calls kernels of its own file only. What Python hands to a kernel in NamedTuples has its type found
+in 1 us, unless two of them have the same name and types: then it takes 50 us, at each call.
 """
 import collections
 import concurrent.futures
@@ -17,6 +18,7 @@ import functools
 import importlib.util
 import itertools
 import os
+from pathlib import Path
 
 from labkit.contract import UNFINISHED
 
@@ -38,9 +40,22 @@ def kernel(function):
     import numba
     compiled = functools.partial(numba.njit, nogil=True, error_model="numpy", forceinline=True)
     try:
-        return compiled(cache=True)(function)
+        kept = compiled(cache=True)(function)
     except RuntimeError:  # there is no folder that may be written to
         return compiled()(function)
+    forget_older(kept.stats.cache_path, function)
+    return kept
+
+
+def forget_older(folder, function):
+    """Remove what numba kept of a kernel before its file changed.
+
+    numba would read it before it looks how old it is, and fail at a NamedTuple that is gone.
+    """
+    path = Path(function.__code__.co_filename)
+    for kept in Path(folder).glob(f"{path.stem}.{function.__name__}-*.nbi"):
+        if kept.stat().st_mtime < path.stat().st_mtime:
+            kept.unlink(missing_ok=True)
 
 
 def has_kernels(module):

@@ -1,4 +1,5 @@
 """The exercises of a module, and the labs made from the reference."""
+import importlib
 import json
 import os
 import subprocess
@@ -245,6 +246,17 @@ def test_every_lab_has_something_to_write():
     assert exercises.lab_topics() == exercises.asking_topics()
     assert {path.stem for path in (places.ROOT / "labs").glob("*.py")} == {
         "__init__", *exercises.asking_topics()}
+
+
+@pytest.mark.parametrize(("name", "function", "home"), [
+    ("outlines", "blend_pairs", "antialiasing"),
+    ("texel_kernels", "blend_levels_backward", "mipmapping")])
+def test_what_stands_once_asks_the_package_that_imports_it(name, function, home):
+    """A student's picture is outlined by the reference; or the reference by a student's lab."""
+    ours, theirs = (importlib.import_module(f"{each}.{name}") for each in ("reference", "labs"))
+    assert ours.__file__ == theirs.__file__
+    assert vars(ours)[function].__module__ == f"reference.{home}"
+    assert vars(theirs)[function].__module__ == f"labs.{home}"
 
 
 @pytest.mark.skipif(not (places.ROOT / ".git").exists(), reason="git alone knows what is tracked")

@@ -1,4 +1,5 @@
 """The kernels, with and without numba, are the pipeline of NumPy: the same bits, and gradients."""
+import os
 import subprocess
 import sys
 import time
@@ -266,6 +267,28 @@ print(installed == hasattr(pipeline.draw, "__wrapped__"), hasattr(own.draw, "__w
     told = subprocess.run([sys.executable, "-c", code], cwd=places.ROOT, capture_output=True,
                           text=True, check=True).stdout
     assert told.split() == ["True", "False"]
+
+
+KERNEL = """from collections import namedtuple
+from course.given.compiled import kernel
+Pair = namedtuple("Pair", "x y")
+@kernel
+def total(pair): return pair.x + pair.y
+print(total(Pair(2.0, 3.0)))
+"""
+
+
+@pytest.mark.skipif(not compiled.is_installed(), reason="nothing is compiled")
+def test_a_named_tuple_of_a_kernel_may_get_another_name(tmp_path):
+    """numba fails at what it kept: it looks for the old name before it sees that a file changed."""
+    module = tmp_path / "changed_kernels.py"
+    for age, name in (60, "Pair"), (-60, "Both"):
+        module.write_text(KERNEL.replace("Pair", name))
+        os.utime(module, (time.time() - age,) * 2)
+        done = subprocess.run([sys.executable, "-c", "import changed_kernels"], text=True,
+                              capture_output=True, cwd=tmp_path, check=True,
+                              env=os.environ | {"PYTHONPATH": f"{tmp_path}:{places.ROOT}"})
+        assert done.stdout == "5.0\n"
 
 
 def test_without_the_kernels_a_released_reference_is_numpy(monkeypatch):

@@ -7,6 +7,7 @@ from screen_scenes import soup
 
 from course.given import compiled, mesh
 from reference import (
+    compiled_pipeline,
     footprint_kernels,
     mipmapping,
     pipeline,
@@ -174,9 +175,9 @@ def require_the_pipelines_numbers(monkeypatch, seen, faces, material):
     got = footprint_kernels.footprints(*given, faces, material.uv, material.uv_faces,
                                        footprint_kernels.runs_in_bands(seen.face_index))
     assert [array.tobytes() for array in got] == [at.tobytes(), footprint.tobytes()]
-    got = footprint_kernels.textured(*given, material, faces)
+    got = compiled_pipeline.textured(*given, material, faces)
     assert got.shape == colour.shape and got.tobytes() == colour.tobytes()
-    found, found_clip = footprint_kernels.textured_backward(grad_colour, *given, material, faces)
+    found, found_clip = compiled_pipeline.textured_backward(grad_colour, *given, material, faces)
     require_near([found.uv, found.image, found_clip], [grads.uv, grads.image, grad_clip])
     assert found.uv_faces is None and found.filter is None
 
@@ -205,8 +206,8 @@ def test_no_number_of_threads_changes_a_bit_of_a_textured_picture(monkeypatch):
     upstream = np.random.default_rng(8).normal(size=(13, 17, 3))
 
     def drawn():
-        grads, grad_clip = footprint_kernels.textured_backward(upstream, *given)
-        return footprint_kernels.textured(*given), grads.uv, grads.image, grad_clip
+        grads, grad_clip = compiled_pipeline.textured_backward(upstream, *given)
+        return compiled_pipeline.textured(*given), grads.uv, grads.image, grad_clip
 
     require_same_bits_on_any_threads(monkeypatch, drawn)
 
