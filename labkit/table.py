@@ -15,3 +15,4 @@ README = ROOT / TABLE["readme"]          # of a hand-out, with places for its la
 HANDED_OUT = tuple(TABLE["handed_out"])  # more of a hand-out's files
 WITH_LABS = TABLE["with_labs"]           # {topic: pattern of files that come with it alone}
 COMPLETE = TABLE["complete"]             # the folder of topics with nothing to write
+FAST = TABLE.get("fast", COMPLETE)       # the folder of what is only faster than a topic

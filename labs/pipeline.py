@@ -29,7 +29,6 @@ from . import (
     outlines,
     rasterization,
     rasterizer_gradients,
-    scanline,
     transforms,
 )
 
@@ -189,7 +188,7 @@ def visible(clip, faces, width, height):
 
     clip (V, 4), faces (F, 3). It checks nothing, and most drawings need no more.
     """
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
+    face_index, depth = rasterization.rasterize(clip, faces, width, height)
     return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
 
 

@@ -10,23 +10,20 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
 Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
-functions, lab 7's inverse and lab 10's face_inv are the same numbers. The fast rasterizer for whole
-meshes, in front of the camera and behind it, is in scanline.py.
+functions, lab 7's inverse and lab 10's face_inv are the same numbers.
 
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), notes on GAMES101 (4).
 """
-import itertools
-
 import numpy as np
 
 from course.given.arrays import EDGES, in_chunks, write_rows
+from course.given.faster import has_faster
 
 CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
-# Refuse meanwhile: scanline.twice_area, sampling.polygon_area
-def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
+def edge_function(p, a, b):  # step 2.1
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
     p, a, b (..., 2) broadcast -> e (...).
@@ -38,20 +35,12 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     0 at both ends. Then neighbours, which walk their edge in opposite directions, leave no hole. So
     measure p from the same end in both, say from the one with the smaller x.
     """
-    raise NotImplementedError("exercise 2.1: edge_function")
-
-
-# Refuse meanwhile: sampling.polygon_area_backward, rasterizer_gradients.edge_normals_backward
-def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
-    """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
-
-    p, a, b (..., 2), all of one shape.
-
-    >>> p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
-    >>> edge_function_backward(np.array(1.0), p, a, b)
-    (array([-1.,  2.]), array([-3., -1.]), array([ 4., -1.]))
-    """
-    raise NotImplementedError("exercise 2.2: edge_function_backward")
+    x,  y  = p[..., 0], p[..., 1]
+    x0, y0 = a[..., 0], a[..., 1]
+    x1, y1 = b[..., 0], b[..., 1]
+    from_x = np.minimum(x0, x1)
+    from_y = np.where(x0 <= x1, y0, y1)  # with equal x it makes no difference: x1 - x0 is 0
+    return (y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)
 
 
 def signed_area(triangle):
@@ -62,23 +51,13 @@ def signed_area(triangle):
     >>> signed_area(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]))
     np.float64(1.0)
     """
-    return edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2
+    x, y = triangle[..., 0], triangle[..., 1]
+    x1, y1 = x[..., 1] - x[..., 0], y[..., 1] - y[..., 0]
+    x2, y2 = x[..., 2] - x[..., 0], y[..., 2] - y[..., 0]
+    return (x1 * y2 - x2 * y1) / 2
 
 
-def is_inside(p, triangle):  # extra 2.4 (2 points)
-    """Is p in the triangle, border included, whichever way it is wound?
-
-    p (..., 2), triangle (3, 2) of an area other than 0 -> bool (...).
-
-    >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
-    >>> is_inside(np.array([[1.0, 1.0], [2.0, 2.0], [3.0, 3.0]]), triangle)
-    array([ True,  True, False])
-    """
-    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
-    return (e >= 0).all(0) | (e <= 0).all(0)
-
-
-def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
+def is_top_left(n_x, n_y):  # step 2.5
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -87,27 +66,10 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
     """
-    raise NotImplementedError("exercise 2.5: is_top_left")
+    return (n_x > 0) | ((n_x == 0) & (n_y > 0))
 
 
-# Refuse meanwhile: is_inside
-def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
-    """Eq. (2): does the counter-clockwise triangle cover the sample p?
-
-    p (..., 2), triangle (3, 2) -> bool (...).
-
-    >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
-    >>> is_covered(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle)
-    array([ True,  True, False])
-
-    Fine print. Exactly one of two neighbours covers a sample on their edge. The rounding is right
-    where edge_function keeps its own fine print.
-    """
-    raise NotImplementedError("exercise 2.6: is_covered")
-
-
-# Refuse meanwhile: barycentric_on_face
-def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
+def screen_weights(p, triangle):  # step 2.7
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -116,10 +78,31 @@ def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
     >>> screen_weights(np.array([1.0, 0.0]), triangle)
     array([0.75, 0.25, 0.  ])
     """
-    raise NotImplementedError("exercise 2.7: screen_weights")
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return e / e.sum(-1, keepdims=True)
 
 
-def bounding_box(triangle, width, height):  # extra 2.8 (2 points)
+def cover(p, triangle, z):  # exercise 2.6 (6 points)
+    """Eqs. (2) to (4): does a face cover the samples, and how deep is it there?
+
+    p (..., 2): samples. triangle (3, 2): a face's corners on screen, z (3,): their depths ->
+    covered, bool (...), depth (...). The face is seen from both sides, so turn a clockwise one
+    round, its z too. A sample on an edge is covered if the edge is a top-left edge: a left one, or
+    a lower horizontal one (row 0 is our lowest). Depths from -1 to 1 are covered, others are not.
+
+    >>> triangle, z = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]), np.array([0.0, 0.8, 0.4])
+    >>> cover(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle, z)
+    (array([ True,  True, False]), array([0.1, 0.2, 0.6]))
+
+    Fine print. Exactly one of two neighbours covers a sample on their edge: let an edge's function
+    be its negative, to the last bit, when its ends are swapped, and exactly 0 at both. Depths of
+    exactly -1 and 1 are covered, too: eq. (4) is exact where all three z are equal, and
+    sum l_k z_k is not. A face without area covers nothing.
+    """
+    raise NotImplementedError("exercise 2.6: cover")
+
+
+def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
     """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
     triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. The box is MARGIN wider
@@ -132,10 +115,7 @@ def bounding_box(triangle, width, height):  # extra 2.8 (2 points)
     between 0 and height, however far out the triangle is. If there is no pixel, x0 >= x1 or
     y0 >= y1.
     """
-    # j + 0.5 >= min - MARGIN  and  j + 0.5 <= max + MARGIN
-    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
-    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])
-    return int(x0), int(y0), int(x1), int(y1)
+    raise NotImplementedError("exercise 2.8: bounding_box")
 
 
 def screen_points(clip, width, height):
@@ -173,25 +153,44 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-# Refuse meanwhile: scanline.rasterize, scanline.fragments
-def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spine
-    """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
+@has_faster("scanline")
+def rasterize(clip, faces, width, height):  # exercise 2.13 (5 points)
+    """What each pixel sees: for each face, and all pixels of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
-    seen. Turn clockwise faces round, z too. Draw depths (4) from -1 to 1.
-    To look at yours: `python3 -m course demo --impl labs bunny` draws loop.png with it.
+    seen. The given `screen_points` says where the vertices are. The depth of one is z / w.
+    To look at yours: `python3 -m course demo --impl labs bunny ties`. All pictures of the course
+    are drawn by it, or by what is only faster: course/fast/scanline.py, once it drew the same.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
-    >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)
+    >>> rasterize(clip, np.array([[0, 1, 2]]), 3, 2)
     (array([[ 0,  0, -1],
            [ 0, -1, -1]]), array([[0.5, 0.5, inf],
            [0.5, inf, inf]]))
 
-    Fine print. All w are positive: behind the camera is scanline.py. The first of two equally
-    deep faces is seen. Depths of exactly -1 and 1 are seen, too: eq. (4) is exact where all three
-    z are equal, and sum l_k z_k is not.
+    Fine print. All w are positive. The first of two equally deep faces is seen.
     """
-    raise NotImplementedError("exercise 2.13: rasterize_loop")
+    raise NotImplementedError("exercise 2.13: rasterize")
+
+
+def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
+    """Eq. (5) without a division: which samples does a face cover, also one behind the camera?
+
+    p (..., 2): samples in ndc. corners (3, 4): a face in clip space, any w -> covered (...), border
+    included, depth (...). The sample looks along the points w (x, y, 1). Seen from there, corner k
+    is at q_k = (x_k - x w_k, y_k - y w_k), and e_k = det [q_i q_j]. The point on the face has the
+    weights e_k / sum e_k w_k, none negative if it is covered, and w = 1: its z is the depth.
+
+    >>> corners = np.array([[-1.0, 0.0, 0.5, 1.0], [1.0, 0.0, 0.5, 1.0], [0.0, -1.0, 0.0, -1.0]])
+    >>> cover_in_clip_space(np.array([[0.0, 0.5], [0.0, -0.5]]), corners)
+    (array([False,  True]), array([0.25, 0.75]))
+    """
+    q = corners[:, :2] - p[..., None, :] * corners[:, 3:]
+    x, y = q[..., 0], q[..., 1]
+    e = np.stack([x[..., i] * y[..., j] - x[..., j] * y[..., i] for i, j in EDGES], -1)
+    weights = e / (e @ corners[:, 3])[..., None]
+    depth = weights @ corners[:, 2]
+    return (weights >= 0).all(-1) & (np.abs(depth) <= 1), depth
 
 
 def edge_functions_at(px, py, x, y):
@@ -282,3 +281,20 @@ def barycentrics_derivatives(face_index, clip, faces):
         for axis, by_axis in enumerate(barycentric_derivatives(*sample)):
             write_rows(derivatives[..., axis], pixel, by_axis)
     return derivatives.reshape(*face_index.shape, 3, 2)
+
+
+def edge_function_backward(grad_e, p, a, b):  # extra 2.2 (2 points)
+    """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
+
+    p, a, b (..., 2), all of one shape.
+
+    >>> p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
+    >>> edge_function_backward(np.array(1.0), p, a, b)
+    (array([-1.,  2.]), array([-3., -1.]), array([ 4., -1.]))
+    """
+    # e = |a b| + |b p| + |p a| with |u v| = u_x v_y - u_y v_x, so d|u v|/du = (v_y, -v_x) and
+    # d|u v|/dv = (-u_y, u_x): a point's gradient is the side opposite to it, turned by 90 degrees.
+    def turned(side):
+        return grad_e[..., None] * np.stack([side[..., 1], -side[..., 0]], -1)
+
+    return turned(a - b), turned(b - p), turned(p - a)

@@ -23,7 +23,7 @@ from scipy import ndimage
 
 from course.given.arrays import scatter
 
-from . import rasterization, scanline
+from . import rasterization
 
 STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples, none near another
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
@@ -100,7 +100,7 @@ def rasterize_samples(clip, faces, width, height, pattern):
     depth = np.empty(face_index.shape)
     for s, offset in enumerate(pattern):
         moved = centre_sample(clip, offset, max(width, 1), max(height, 1))  # it may be empty
-        face_index[s], depth[s] = scanline.rasterize(moved, faces, width, height)
+        face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
     return face_index, depth
 
 
@@ -168,7 +168,7 @@ def supersample(clip, faces, width, height, n, shade, background):
     """
     if n < 1:
         raise ValueError(f"supersampling needs n x n samples with n of 1 or more, got n = {n}")
-    face_index, _ = scanline.rasterize(clip, faces, n * width, n * height)
+    face_index, _ = rasterization.rasterize(clip, faces, n * width, n * height)
     row, column = np.nonzero(face_index >= 0)
     picture = np.tile(background, (*face_index.shape, 1))
     picture[row, column] = shade((column + 0.5) / n, (row + 0.5) / n, face_index[row, column])
@@ -310,8 +310,8 @@ def rate_times_colour(clip, faces, colours, width, height, pattern, background):
     for face, colour in zip(faces, colours, strict=True):
         seen, _ = rasterize_samples(clip, face[None], width, height, pattern)
         rate = coverage(seen)
-        dz_dx, dz_dy = scanline.depth_slopes(*(value[face][:, None] for value in (x, y, z)))
-        depth = z[face[0]] + dz_dx * (column - x[face[0]]) + dz_dy * (row - y[face[0]])
+        plane, *_ = np.linalg.lstsq(np.stack([x[face], y[face], np.ones(3)], -1), z[face])
+        depth = plane[0] * column + plane[1] * row + plane[2]
         wins = (rate > 0) & (depth < nearest)
         nearest[wins] = depth[wins]
         picture[wins] = rate[wins][:, None] * colour

@@ -29,7 +29,6 @@ from . import (
     outlines,
     rasterization,
     rasterizer_gradients,
-    scanline,
     transforms,
 )
 
@@ -147,7 +146,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
     >>> picture[0, :, 0], buffers.colour[0, :, 0]
     (array([1.  , 0.75, 0.  , 0.  ]), array([1., 1., 0., 0.]))
     """
-    face_index, depth = scanline.rasterize(clip, faces, width, height)                # lab 2
+    face_index, depth = rasterization.rasterize(clip, faces, width, height)                # lab 2
     barycentric = rasterization.barycentrics(face_index, clip, faces)                 # lab 2
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)                                # labs 5, 6
@@ -200,7 +199,7 @@ def visible(clip, faces, width, height):
 
     clip (V, 4), faces (F, 3). It checks nothing, and most drawings need no more.
     """
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
+    face_index, depth = rasterization.rasterize(clip, faces, width, height)
     return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
 
 

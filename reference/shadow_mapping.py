@@ -23,7 +23,7 @@ import numpy as np
 
 from course.given import inputs, mesh
 
-from . import interpolation, pipeline, scanline
+from . import interpolation, pipeline, rasterization
 
 GRAZING = 1e-2  # the least |n . ray|: a plane seen edge-on has no slope
 
@@ -220,7 +220,7 @@ def depth_map(vertices, faces, light, size):
     require_side("depth_map", size, 1)
     q = to_light(np.asarray(vertices), light.position, light.rotation)
     clip = pipeline.to_clip(q, light.clip_from_light)
-    _, depth = scanline.rasterize(clip, np.asarray(faces), size, size)
+    _, depth = rasterization.rasterize(clip, np.asarray(faces), size, size)
     return distance_of_depth(depth, light.clip_from_light)
 
 

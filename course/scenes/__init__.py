@@ -9,7 +9,6 @@
     aliasing           a zone plate made smaller in three ways
     msaa               a silhouette with more and more samples in a pixel
     reflections        what a mirror shows: directions, footprints, surroundings
-    by_loops           a tetrahedron finds its picture, pixel by pixel
     fit_triangle       a triangle finds its template by its edges alone
     fit_cube           a cube's shape and colours, from tiny pictures
     fit_pose           how a known cube is turned

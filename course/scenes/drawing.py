@@ -39,7 +39,7 @@ def on_black(labs, shape, colours, clip_from_model, size):
 def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
     clip = labs.pipeline.to_clip(vertices, camera)
-    return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
+    return labs.rasterization.rasterize(clip, faces, size, size)[0] >= 0
 
 
 def smooth(labs, vertices, faces, clip, size=SIZE):

@@ -7,7 +7,6 @@ from .viewing import clip_positions
 
 BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 TEAPOT_EYE = np.array([0.6, 1.2, 2.2])
-SMALL = 96  # pixels on a side of the loop's picture, which takes a second or two
 
 
 def bunny(labs, out="bunny", shape=None):
@@ -18,9 +17,7 @@ def bunny(labs, out="bunny", shape=None):
 
     clip = clip_positions(labs, vertices, BUNNY_EYE)
     yield "vertices to clip space", None
-    by_loop, _ = labs.rasterization.rasterize_loop(clip, faces, SMALL, SMALL)
-    yield f"lab 2's loop, {SMALL} x {SMALL}", save(out, "loop", plot.face_colours(by_loop))
-    face_index, depth = labs.scanline.rasterize(clip, faces, SIZE, SIZE)
+    face_index, depth = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
     yield "rasterize: face index and depth", None
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     yield "barycentrics", None

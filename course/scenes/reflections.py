@@ -33,7 +33,7 @@ def view(labs, camera, eye, size):
     vertices, faces = teapot()
     attributes = np.concatenate([vertices - eye, mesh.vertex_normals(vertices, faces)], 1)
     clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), camera)
-    face_index, _ = labs.scanline.rasterize(clip, faces, size, size)
+    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
     weights = labs.rasterization.barycentrics(face_index, clip, faces)
     changes = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
     seen = face_index >= 0

@@ -87,54 +87,6 @@ def test_an_edge_is_exactly_zero_at_both_ends(impl, rng):
     assert_equal(np.array(ends), np.zeros((2, 2000)))
 
 
-@exercise("2.2")
-def test_the_gradients_of_two_edges_on_paper(impl):
-    """A sign, x and y exchanged, a side that is not turned, or another order than p, a, b. n taken
-    for a constant in grad_a or grad_b: the normal depends on both ends. grad_e is ignored.
-    """
-    p = np.array([[1.0, 4.0], [2.0, -1.0]])
-    a, b = np.array([[3.0, 1.0], [-1.0, 3.0]]), np.array([[5.0, 2.0], [4.0, 1.0]])
-    gradients = impl.edge_function_backward(np.array([10.0, -2.0]), p, a, b)
-    assert_close(np.stack(gradients), [[[-10.0, 20.0], [-4.0, -10.0]],
-                                       [[-20.0, -40.0], [-4.0, 4.0]],
-                                       [[30.0, 20.0], [8.0, 6.0]]])
-
-
-@exercise("2.2")
-def test_the_gradients_of_edges_are_central_differences(impl, rng, gradcheck):
-    """grad_e is ignored or summed up before it reaches the points."""
-    def forward(p, a, b):
-        return (a[..., 1] - b[..., 1]) * (p[..., 0] - a[..., 0]) \
-            + (b[..., 0] - a[..., 0]) * (p[..., 1] - a[..., 1])
-
-    gradcheck(forward, impl.edge_function_backward, tuple(rng.normal(size=(3, 2, 5, 2))),
-              name="edge_function")
-
-
-@exercise("2.4")
-def test_inside_border_and_outside(impl):
-    """The border does not count as inside. Only two of the three edges are asked, one of them is
-    enough (an edge's line counts), or only the sign of their product. Or positive e are taken for
-    outside.
-    """
-    p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
-                  [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
-                  [4.0, 1.5 - 1e-6]])
-    inside = [True, True, True, False, False, False, False, False, False, False]
-    assert_equal(impl.is_inside(p, TRIANGLE), inside)
-
-
-@exercise("2.4")
-def test_inside_does_not_depend_on_the_winding(impl, rng):
-    """Clockwise triangles have no inside, because only positive values count: either winding will
-    do, so all three e may be negative.
-    """
-    p = centres(8, 8)
-    p = np.concatenate([p, p + rng.uniform(-0.5, 0.5, (8, 8, 2))])
-    both = [impl.is_inside(p, triangle) for triangle in (TRIANGLE, TRIANGLE[::-1])]
-    assert_picture(np.hstack(both), np.hstack([exact_inside(p, TRIANGLE)] * 2))
-
-
 @exercise("2.5")
 def test_left_and_lower_edges_own_their_samples(impl):
     """Right for left (n points out), upper for lower (y is up here), n_x and n_y swapped, or n as
@@ -157,72 +109,6 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
     edge = (n_x != 0) | (n_y != 0)
     one, other = impl.is_top_left(n_x, n_y), impl.is_top_left(-n_x, -n_y)
     assert_equal((one ^ other)[edge], np.ones(edge.sum(), bool))
-
-
-@exercise("2.6")
-def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
-    the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough.
-    is_top_left counts without e == 0. p is rounded.
-    """
-    for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
-        p = centres(5, 4) + moved
-        lower = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]) + moved)
-        assert_picture(lower, np.array([[1, 1, 1, 0, 0],
-                                        [0, 1, 1, 0, 0],
-                                        [0, 0, 1, 0, 0],
-                                        [0, 0, 0, 0, 0]], bool))
-        upper = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 3.5], [0.5, 3.5]]) + moved)
-        assert_picture(upper, np.array([[0, 0, 0, 0, 0],
-                                        [1, 0, 0, 0, 0],
-                                        [1, 1, 0, 0, 0],
-                                        [0, 0, 0, 0, 0]], bool))
-
-
-@exercise("2.6")
-def test_pixels_are_sampled_where_the_points_say(impl, rng):
-    """The points are cut to whole numbers, as by a C function of (int x, int y), or moved by half a
-    pixel. Or an absolute tolerance decides what lies on an edge.
-    """
-    p = rng.uniform(0, 8, (300, 2))
-    assert_equal(impl.is_covered(p, TRIANGLE), exact_inside(p, TRIANGLE))
-    small = 2.0**-20  # exact, so that only an absolute tolerance can tell the difference
-    assert_equal(impl.is_covered(small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
-
-
-@exercise("2.6")
-def test_clockwise_and_flat_triangles_cover_nothing(impl):
-    """Clockwise triangles count, too (either winding), or a flat triangle owns the samples on it.
-    """
-    p = centres(9, 9)
-    triangles = (TRIANGLE[::-1], np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]]),
-                 np.array([[0.5, 2.5], [6.5, 2.5], [2.5, 2.5]]))
-    found = [impl.is_covered(p, triangle) for triangle in triangles]
-    assert_picture(np.hstack(found), np.zeros((9, 27), bool))
-
-
-@exercise("2.6", fine_print=True)
-def test_a_shared_edge_is_covered_once(impl, rng):
-    """Two faces compute the same edge with different rounding: samples are lost or drawn twice."""
-    for _ in range(60):
-        a, b = rng.uniform(0, 100, (2, 2))
-        across = np.array([a[1] - b[1], b[0] - a[0]])
-        left, right = a + across, b - across
-        on_edge = a + (b - a) * rng.uniform(0.1, 0.9, (100, 1))
-        count = impl.is_covered(on_edge, np.stack([a, b, left])).astype(int) \
-            + impl.is_covered(on_edge, np.stack([b, a, right]))
-        assert_equal(count, np.ones(100, int))
-
-
-@exercise("2.6", fine_print=True)
-def test_a_fan_covers_its_hub_once(impl, rng):
-    """The hub of a fan is covered by no face or by several."""
-    hub = np.array([4.5, 4.5])
-    for _ in range(40):
-        angles = rng.uniform(0, np.pi / 3, 3) + np.arange(3) * 2 * np.pi / 3
-        rim = hub + 4 * np.stack([np.cos(angles), np.sin(angles)], -1)
-        faces = [np.stack([hub, rim[k], rim[(k + 1) % 3]]) for k in range(3)]
-        assert_equal(sum(int(impl.is_covered(hub[None], face)[0]) for face in faces), 1)
 
 
 WEIGHTS = np.array([[0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.125, 0.25, 0.625], [1.5, -1.0, 0.5],
@@ -256,6 +142,131 @@ def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
         b = impl.screen_weights(p, triangle)
         assert_close(b @ triangle / size, p / size, rtol=1e-7, atol=1e-9)
         assert_close(b.sum(-1), np.ones((4, 6)), rtol=1e-7)
+
+
+# --- one face -----------------------------------------------------------------------------------
+
+def covered(impl, p, triangle):
+    """The samples that a face at depth 0 covers."""
+    return impl.cover(p, triangle, np.zeros(3))[0]
+
+
+@exercise("2.6")
+def test_samples_inside_are_covered(impl, rng):
+    """Only two of the three edges are asked, or one of them is enough. Positive e are taken for
+    outside, or only the sign of their product counts. The points are cut to whole numbers, as by a
+    C function of (int x, int y), or moved by half a pixel: they are sampled where they are.
+    """
+    p = np.concatenate([rng.uniform(0, 8, (300, 2)), [[5.0, 11.0], [13.0, 3.0], [11.0, -2.0]]])
+    assert_equal(covered(impl, p, TRIANGLE), exact_inside(p, TRIANGLE) & (np.arange(303) < 300))
+
+
+@exercise("2.6")
+def test_a_face_is_seen_from_behind_too(impl, rng):
+    """Clockwise triangles cover nothing, because only positive e count as inside: the face is seen
+    from both sides. Or its corners are turned round, but not their z: the depths keep the old
+    order.
+    """
+    p, z = rng.uniform(0, 8, (300, 2)), np.array([-0.5, 0.25, 0.75])
+    front, behind = (impl.cover(p, TRIANGLE[order], z[order]) for order in ([0, 1, 2], [2, 1, 0]))
+    assert_equal(behind[0], exact_inside(p, TRIANGLE))
+    assert_close(behind[1], front[1])
+    plane = np.linalg.solve(np.column_stack([TRIANGLE, np.ones(3)]), z)
+    assert_close(behind[1], np.column_stack([p, np.ones(300)]) @ plane)
+
+
+@exercise("2.6")
+def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
+    """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
+    the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough. A
+    top-left edge counts without e == 0. p is rounded.
+    """
+    for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
+        p = centres(5, 4) + moved
+        lower = covered(impl, p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]) + moved)
+        assert_picture(lower, np.array([[1, 1, 1, 0, 0],
+                                        [0, 1, 1, 0, 0],
+                                        [0, 0, 1, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+        upper = covered(impl, p, np.array([[0.5, 0.5], [3.5, 3.5], [0.5, 3.5]]) + moved)
+        assert_picture(upper, np.array([[0, 0, 0, 0, 0],
+                                        [1, 0, 0, 0, 0],
+                                        [1, 1, 0, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+
+
+@exercise("2.6")
+def test_depth_is_mixed_by_the_weights_of_the_screen(impl):
+    """Weights and corners do not match, or it is one corner's z. The weights are not divided by
+    their sum, or divided by the area for twice the area.
+    """
+    # WEIGHTS are those of the points in TRIANGLE; the last two lie outside.
+    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
+    _, depth = impl.cover(p, TRIANGLE, np.array([-0.5, 0.25, 0.75]))
+    assert_close(depth, WEIGHTS @ [-0.5, 0.25, 0.75])
+
+
+@exercise("2.6")
+def test_near_and_far_cut_a_face(impl):
+    """Depths beyond -1 or 1 are covered: they are not compared, or only one of the two is, or
+    those of the corners are.
+    """
+    triangle, z = np.array([[-1.0, -1.0], [17.0, -1.0], [-1.0, 17.0]]), np.array([-2.25, 2.25, 0])
+    seen, _ = impl.cover(centres(8, 2), triangle, z)
+    depth = -2.25 + 0.25 * (np.arange(8) + 1.5) + 0.125 * (np.arange(2)[:, None] + 1.5)
+    assert_picture(seen, np.abs(depth) <= 1)
+
+
+@exercise("2.6")
+def test_a_face_of_any_size_is_covered_alike(impl, rng):
+    """An absolute tolerance decides what lies on an edge, or a small area counts as none."""
+    p, small = rng.uniform(0, 8, (300, 2)), 2.0**-20  # exact, so that only a tolerance can tell
+    assert_equal(covered(impl, small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
+
+
+@exercise("2.6", fine_print=True)
+def test_a_flat_face_covers_nothing(impl):
+    """A flat triangle owns the samples on it."""
+    triangles = (np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]]),
+                 np.array([[0.5, 2.5], [6.5, 2.5], [2.5, 2.5]]))
+    found = [covered(impl, centres(9, 9), triangle) for triangle in triangles]
+    assert_picture(np.hstack(found), np.zeros((9, 18), bool))
+
+
+@exercise("2.6", fine_print=True)
+def test_a_shared_edge_is_covered_once(impl, rng):
+    """Two faces compute the same edge with different rounding: samples are lost or drawn twice."""
+    for _ in range(60):
+        a, b = rng.uniform(0, 100, (2, 2))
+        across = np.array([a[1] - b[1], b[0] - a[0]])
+        left, right = a + across, b - across
+        on_edge = a + (b - a) * rng.uniform(0.1, 0.9, (100, 1))
+        count = covered(impl, on_edge, np.stack([a, b, left])).astype(int) \
+            + covered(impl, on_edge, np.stack([b, a, right]))
+        assert_equal(count, np.ones(100, int))
+
+
+@exercise("2.6", fine_print=True)
+def test_a_fan_covers_its_hub_once(impl, rng):
+    """The hub of a fan is covered by no face or by several."""
+    hub = np.array([4.5, 4.5])
+    for _ in range(40):
+        angles = rng.uniform(0, np.pi / 3, 3) + np.arange(3) * 2 * np.pi / 3
+        rim = hub + 4 * np.stack([np.cos(angles), np.sin(angles)], -1)
+        faces = [np.stack([hub, rim[k], rim[(k + 1) % 3]]) for k in range(3)]
+        assert_equal(sum(int(covered(impl, hub[None], face)[0]) for face in faces), 1)
+
+
+@exercise("2.6", fine_print=True)
+def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
+    """< for <= where the depth is compared with -1 and 1 (near and far plane). Or z is the sum
+    l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
+    """
+    triangle = np.array([[-1.95, -3.85], [31.85, -1.1], [-0.65, 31.35]])
+    found = [impl.cover(centres(13, 11), triangle, np.full(3, z)) for z in (-1.0, 1.0)]
+    assert_picture(np.hstack([seen for seen, _ in found]), np.ones((11, 26), bool))
+    assert_close(np.array([depth for _, depth in found]),
+                 np.stack([np.full((11, 13), -1.0), np.ones((11, 13))]))
 
 
 @exercise("2.8")
@@ -363,6 +374,38 @@ def test_faces_without_area_are_culled(impl):
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
 
 
+@exercise("2.11")
+def test_in_front_of_the_camera_it_is_the_same_face(impl, rng):
+    """z is not that of the point with w = 1, but of a point on the face or of ndc. Clockwise faces
+    are lost, or near and far are forgotten.
+    """
+    points, z, w = TRIANGLE / 4 - 1, np.array([-1.5, 0.5, 0.75]), np.array([0.5, 1.0, 2.0])
+    p = rng.uniform(0, 8, (300, 2))
+    depth = np.column_stack([p, np.ones(300)]) @ np.linalg.solve(
+        np.column_stack([TRIANGLE, np.ones(3)]), z)
+    corners = np.column_stack([points, z, np.ones(3)]) * w[:, None]
+    for order in [0, 1, 2], [2, 1, 0]:
+        covered, found = impl.cover_in_clip_space(p / 4 - 1, corners[order])
+        assert_close(found, depth)
+        assert_equal(covered, exact_inside(p, TRIANGLE) & (np.abs(depth) <= 1))
+
+
+@exercise("2.11")
+def test_a_sample_sees_what_lies_on_its_ray(impl, rng):
+    """Something is divided by w, or by |w|: a corner behind the camera is mirrored, and one in the
+    camera plane is nowhere.
+    """
+    p = rng.uniform(-1, 1, (4, 5, 2))
+    for _ in range(30):
+        corners = rng.normal(size=(3, 4)) * [1, 1, 0.2, 1]
+        corners[0, 3] = rng.choice([0, corners[0, 3]])
+        rays = np.append(p, np.ones((4, 5, 1)), -1)
+        weights = np.linalg.solve(corners[:, [0, 1, 3]].T, rays[..., None])[..., 0]
+        covered, depth = impl.cover_in_clip_space(p, corners)
+        assert_close(depth, weights @ corners[:, 2], rtol=1e-6, atol=1e-6)
+        assert_equal(covered, (weights >= 0).all(-1) & (np.abs(weights @ corners[:, 2]) <= 1))
+
+
 # --- pictures ----------------------------------------------------------------------------------
 
 @exercise("2.13")
@@ -372,7 +415,7 @@ def test_one_triangle_on_paper(impl):
     or face_index as -1. Counter-clockwise faces are turned.
     """
     clip = np.array([[-1.0, -1.0, 0.25, 1.0], [1.0, -1.0, 0.25, 1.0], [-1.0, 1.0, 0.25, 1.0]])
-    face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 7, 2)
+    face_index, depth = impl.rasterize(clip, np.array([[0, 1, 2]]), 7, 2)
     # The hypotenuse is x / 7 + y / 2 = 1: x < 5.25 in row 0 (y = 0.5), x < 1.75 in row 1.
     seen = np.arange(7) < np.array([[5], [2]])
     assert_picture(face_index, np.where(seen, 0, -1))
@@ -389,7 +432,7 @@ def test_the_nearer_face_is_seen_whatever_the_order(impl):
     clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
     faces = np.arange(12).reshape(4, 3)
     orders = [0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]
-    found = [impl.rasterize_loop(clip, faces[order], 4, 4) for order in orders]
+    found = [impl.rasterize(clip, faces[order], 4, 4) for order in orders]
     seen = np.arange(4) >= np.arange(4)[:, None]
     expected = [np.where(seen, order.index(2), -1) for order in orders]
     assert_picture(np.hstack([face_index for face_index, _ in found]), np.hstack(expected))
@@ -404,25 +447,9 @@ def test_depth_is_linear_on_the_screen(impl):
     it is one corner's z.
     """
     clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])
-    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 8)
+    _, depth = impl.rasterize(clip, np.array([[0, 1, 2]]), 8, 8)
     x = np.arange(8) + 0.5
     assert_close(depth[0, :7], -1 + 1.8 * x[:7] / 8)  # from z/w = -1 at x = 0 to 0.8 at x = 8
-
-
-@exercise("2.13")
-def test_a_face_is_seen_from_behind_too(impl):
-    """Clockwise faces are not turned round, and cover nothing: faces seen from behind (back faces)
-    are missing (culled). Or their corners are turned, but not their z or w: the depths keep the old
-    order.
-    """
-    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
-    found = [impl.rasterize_loop(clip, np.array([face]), 5, 4) for face in ([0, 1, 2], [0, 2, 1])]
-    right, up = (np.arange(5) + 0.5) / 5, (np.arange(4)[:, None] + 0.5) / 4
-    seen = right + up < 1
-    assert_picture(np.hstack([face_index for face_index, _ in found]),
-                   np.hstack([np.where(seen, 0, -1)] * 2))
-    assert_close(np.array([depth[seen] for _, depth in found]),
-                 np.tile((0.2 * right + 0.4 * up)[seen], (2, 1)))
 
 
 @exercise("2.13", fine_print=True)
@@ -430,7 +457,7 @@ def test_of_equally_deep_faces_the_first_is_seen(impl):
     """The depth test is <= instead of <: of equally deep faces, the last one wins."""
     triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
     clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
-    face_index, _ = impl.rasterize_loop(clip, faces, 4, 4)
+    face_index, _ = impl.rasterize(clip, faces, 4, 4)
     assert_picture(face_index, np.where(face_index >= 0, 0, -1))
 
 
@@ -439,22 +466,9 @@ def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
     """Rows and columns of the box are swapped, or a small area counts as none."""
     x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
     clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
-    found = [impl.rasterize_loop(clip, np.array([face]), 6, 4)[0]
+    found = [impl.rasterize(clip, np.array([face]), 6, 4)[0]
              for face in ([0, 1, 2], [0, 2, 1])]
     assert_picture(np.vstack(found), np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3] * 2))
-
-
-@exercise("2.13", fine_print=True)
-def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
-    """< for <= where the depth is compared with -1 and 1 (near and far plane). Or z is the sum
-    l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
-    """
-    near = np.array([[-1.3, -1.7, -1.0, 1.0], [3.9, -1.2, -1.0, 1.0], [-1.1, 4.7, -1.0, 1.0]])
-    faces = np.array([[0, 1, 2]])
-    found = [impl.rasterize_loop(near * [1, 1, sign, 1], faces, 13, 11) for sign in (1, -1)]
-    assert_picture(np.hstack([face_index for face_index, _ in found]), np.zeros((11, 26), int))
-    assert_close(np.array([depth for _, depth in found]),
-                 np.stack([np.full((11, 13), -1.0), np.ones((11, 13))]))
 
 
 @exercise("2.13")
@@ -464,7 +478,7 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
     """
     x, y = np.array([0.5, 3.5, 3.5, 0.5]), np.array([0.5, 0.5, 3.5, 3.5])
     clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
-    found = [impl.rasterize_loop(clip, np.array(faces), 4, 4)[0]
+    found = [impl.rasterize(clip, np.array(faces), 4, 4)[0]
              for faces in ([[0, 1, 2], [0, 2, 3]], [[0, 2, 3], [0, 1, 2]])]
     assert_picture(np.hstack(found), [[ 0,  0,  0, -1,  1,  1,  1, -1],
                                       [ 1,  0,  0, -1,  0,  1,  1, -1],
@@ -473,27 +487,12 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
 
 
 @exercise("2.13")
-def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
-    """z is mixed by weights of the screen and divided by w a second time, or not at all. Or a
-    weight belongs to another corner's z.
-    """
-    corners = TRIANGLE + rng.uniform(-0.9, 0.9, (3, 2))  # of a picture of 8 x 7 pixels
-    z, w = rng.uniform(-1, 1, 3), rng.uniform(0.5, 2, 3)
-    clip = np.column_stack([corners / [4, 3.5] - 1, z, np.ones(3)]) * w[:, None]
-    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 7)
-    plane = np.linalg.solve(np.column_stack([corners, np.ones(3)]), z)
-    expected = np.append(centres(8, 7), np.ones((7, 8, 1)), -1) @ plane
-    seen = exact_inside(centres(8, 7), corners)
-    assert_close(depth, np.where(seen, expected, np.inf), atol=1e-9)
-
-
-@exercise("2.13")
 def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
     """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
     clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
     for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (clip / 99, 3, 9)):
         corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
-        face_index, depth = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
+        face_index, depth = impl.rasterize(corners, np.array([[0, 1, 2]]), width, height)
         assert_picture(face_index, np.zeros((height, width), int))
         ndc_x = (np.arange(width) + 0.5) * 2 / width - 1
         assert_close(10 * depth, np.tile(ndc_x, (height, 1)), atol=1e-8)
@@ -505,7 +504,7 @@ def test_near_and_far_cut_a_face_in_its_middle(impl):
     not compared, or only those of its corners.
     """
     clip = np.array([[-1.0, -1, -2, 1], [1, -1, 2, 1], [1, 1, 2, 1], [-1, 1, -2, 1]])  # z = 2 x
-    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 8, 2)
+    face_index, _ = impl.rasterize(clip, np.array([[0, 1, 2], [0, 2, 3]]), 8, 2)
     assert_picture(face_index >= 0, np.tile(np.abs(np.arange(8) - 3.5) < 2, (2, 1)))
 
 
@@ -513,7 +512,7 @@ def test_near_and_far_cut_a_face_in_its_middle(impl):
 def test_clip_space_has_no_unit(impl):
     """A small w is taken for 0: faces far smaller than one are lost, although nothing changed."""
     clip = 1e-13 * np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
-    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 3)
+    face_index, _ = impl.rasterize(clip, np.array([[0, 1, 2]]), 4, 3)
     seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
     assert_picture(face_index, np.where(seen, 0, -1))
 
@@ -606,3 +605,29 @@ def test_the_change_is_that_of_b(impl, rng, axis):
     moved = c + 1e-20j * dc  # a complex step: its difference loses no digits
     expected = (moved / moved.sum(axis, keepdims=True)).imag / 1e-20
     assert_close(impl.normalize_derivative(dc, c / s, s[0] if axis == 0 else s, axis), expected)
+
+
+# --- the way back -------------------------------------------------------------------------------
+
+@exercise("2.2")
+def test_the_gradients_of_two_edges_on_paper(impl):
+    """A sign, x and y exchanged, a side that is not turned, or another order than p, a, b. n taken
+    for a constant in grad_a or grad_b: the normal depends on both ends. grad_e is ignored.
+    """
+    p = np.array([[1.0, 4.0], [2.0, -1.0]])
+    a, b = np.array([[3.0, 1.0], [-1.0, 3.0]]), np.array([[5.0, 2.0], [4.0, 1.0]])
+    gradients = impl.edge_function_backward(np.array([10.0, -2.0]), p, a, b)
+    assert_close(np.stack(gradients), [[[-10.0, 20.0], [-4.0, -10.0]],
+                                       [[-20.0, -40.0], [-4.0, 4.0]],
+                                       [[30.0, 20.0], [8.0, 6.0]]])
+
+
+@exercise("2.2")
+def test_the_gradients_of_edges_are_central_differences(impl, rng, gradcheck):
+    """grad_e is ignored or summed up before it reaches the points."""
+    def forward(p, a, b):
+        return (a[..., 1] - b[..., 1]) * (p[..., 0] - a[..., 0]) \
+            + (b[..., 0] - a[..., 0]) * (p[..., 1] - a[..., 1])
+
+    gradcheck(forward, impl.edge_function_backward, tuple(rng.normal(size=(3, 2, 5, 2))),
+              name="edge_function")

@@ -28,39 +28,47 @@ def is_top_left(n_x, n_y):
     return np.where(np.equal(n_x, 0), np.greater(n_y, 0), np.greater(n_x, 0))
 
 
-def is_covered(p, triangle):
-    covered = np.zeros(np.shape(p)[:-1], bool)
-    for index in np.ndindex(covered.shape):
-        owned = []
-        for first, second in EDGES:
-            a, b = triangle[first], triangle[second]
-            e = edge_function(p[index], a, b)
-            owned.append(e > 0 or (e == 0 and is_top_left(a[1] - b[1], b[0] - a[0])))
-        covered[index] = all(owned)
-    return covered
-
-
 def screen_weights(p, triangle):
     system = np.vstack([np.transpose(triangle), np.ones(3)])
     right = np.concatenate([p, np.ones((*np.shape(p)[:-1], 1))], -1)
     return np.linalg.solve(system, right[..., None])[..., 0]
 
 
-def rasterize_loop(clip, faces, width, height):
-    # Face by face, but all pixels at once.
-    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
+def cover(p, triangle, z):
+    # Sample by sample; either all e are right for the winding, or none is.
+    covered, depth = np.zeros(np.shape(p)[:-1], bool), np.zeros(np.shape(p)[:-1])
+    turned = np.sign(signed_area(triangle))
+    for index in np.ndindex(covered.shape):
+        owned = [turned != 0]
+        for first, second in EDGES:
+            a, b = triangle[first], triangle[second]
+            e, n_x, n_y = (turned * number for number in (
+                edge_function(p[index], a, b), a[1] - b[1], b[0] - a[0]))
+            owned.append(e > 0 or (e == 0 and is_top_left(n_x, n_y)))
+        depth[index] = z[0] + screen_weights(p[index], triangle) @ (z - z[0]) if turned else 0
+        covered[index] = all(owned) and -1 <= depth[index] <= 1
+    return covered, depth
+
+
+def bounding_box(triangle, width, height):
+    # By asking each column and each row.
+    def first_and_end(values, size):
+        inside = [k for k in range(size) if min(values) - 1 / 256 <= k + 0.5 <= max(values) + 1 / 256]
+        return (inside[0], inside[-1] + 1) if inside else (0, 0)
+
+    (x0, x1), (y0, y1) = map(first_and_end, np.transpose(triangle), (width, height))
+    return x0, y0, x1, y1
+
+
+def rasterize(clip, faces, width, height):
+    # All faces at all pixels, and then the nearest one.
     x, y, w = screen_points(clip, width, height)
     p = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), -1)
-    for f, corners in enumerate(np.asarray(faces)):
-        triangle = np.stack([x, y], -1)[corners]
-        if signed_area(triangle) == 0:
-            continue
-        covered = is_covered(p, triangle) | is_covered(p, triangle[::-1])
-        z = np.asarray(clip)[corners, 2] / w[corners]
-        deep = z[0] + screen_weights(p, triangle) @ (z - z[0])
-        nearer = covered & (np.abs(deep) <= 1) & (deep < depth)
-        face_index[nearer], depth[nearer] = f, deep[nearer]
-    return face_index, depth
+    found = [cover(p, np.stack([x, y], -1)[corners], (np.asarray(clip)[:, 2] / w)[corners])
+             for corners in np.asarray(faces)]
+    deep = np.array([np.where(covered, depth, np.inf) for covered, depth in found])
+    nearest = deep.min(0)
+    return np.where(np.isfinite(nearest), deep.argmin(0), -1), nearest
 
 
 def system(px, py, x, y, w):

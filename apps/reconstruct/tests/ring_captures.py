@@ -38,7 +38,7 @@ def picture(k, width=WIDTH, height=HEIGHT, left=0.0, down=0.0):
                       -high + down * pixel, high + down * pixel])
     clip_from_camera = LABS.transforms.frustum(*sides, 1.0, 10.0)
     clip = LABS.pipeline.to_clip(vertices + CENTRE, clip_from_camera @ VIEWS[k])
-    seen = LABS.scanline.rasterize(clip, faces, width, height)[0] >= 0
+    seen = LABS.rasterization.rasterize(clip, faces, width, height)[0] >= 0
     return np.dstack([np.full((height, width, 3), 0.5), seen])
 
 

@@ -99,7 +99,7 @@ def require_same_silhouettes(photos):
     for camera, picture in zip(photos.cameras, photos.pictures, strict=True):
         height, width, _ = picture.shape
         clip = ring.LABS.pipeline.to_clip(vertices + ring.CENTRE, camera @ grid_from_world)
-        seen = ring.LABS.scanline.rasterize(clip, faces, width, height)[0] >= 0
+        seen = ring.LABS.rasterization.rasterize(clip, faces, width, height)[0] >= 0
         assert ((picture[..., 3] > 0.5) != seen).sum() < 0.07 * seen.sum()
 
 

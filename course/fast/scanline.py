@@ -1,4 +1,4 @@
-"""Scanlines: whole meshes at once, exact on every shared edge, also behind the camera.
+"""Scanlines: lab 2 for whole meshes at once, exact on every shared edge, also behind the camera.
 
 Corners are rows of (3, F) arrays, their w of any sign. A face covers a sample p = (x, y) if every
 e_k / w_k, which is c_k of (5) in rasterization.py, has the sign of 2A or is 0:
@@ -23,7 +23,7 @@ import numpy as np
 from course.given import inputs
 from course.given.arrays import EDGES, chunks, expand, in_chunks
 
-from .rasterization import MARGIN, is_top_left, screen_points
+from .rasterization import MARGIN, screen_points
 
 TINY = 1e-300  # stands for a slope of 0 in a division
 FINITE = np.uint8(1)  # the last bit of an outcode
@@ -34,7 +34,7 @@ def twice_area(x, y):
     return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
 
 
-def half_planes(x, y, w):  # extra 2.11 (4 points)
+def half_planes(x, y, w):
     """Each c_k / 2A >= 0, c_k of eq. (5), as a half-plane n_x (x - from_x) + n_y (y - from_y) >= 0.
 
     x, y, w (3, F), row k of corner k -> n_x, n_y, from_x, from_y (3, F), row k of the edge
@@ -62,7 +62,7 @@ def half_planes(x, y, w):  # extra 2.11 (4 points)
     return n_x, n_y, from_x, from_y
 
 
-def depth_slopes(x, y, z):  # extra 2.12 (3 points)
+def depth_slopes(x, y, z):
     """Eq. (4) as two slopes: how the depth changes along x and along y.
 
     x, y, z (3, F): the faces' corners, z after the divide -> dz_dx, dz_dy (F,).
@@ -135,7 +135,7 @@ def triangle_setup(x, y, z, w, corners):
     return Triangles(half_planes(x, y, w), x[0], y[0], z[0], *depth_slopes(x, y, z))
 
 
-def first_column(slope, from_x, offset):  # extra 2.14 (3 points)
+def first_column(slope, from_x, offset):
     """The first column j with slope (j + 0.5 - from_x) + offset >= 0, also outside the picture.
 
     slope (R,) > 0, from_x, offset (R,) -> j (R,), as floats.
@@ -153,7 +153,7 @@ def first_column(slope, from_x, offset):  # extra 2.14 (3 points)
     return column
 
 
-def row_interval(planes, face, y, left, right):  # extra 2.15 (3 points)
+def row_interval(planes, face, y, left, right):
     """The columns start <= j < end that a face covers on the row of pixels at height y.
 
     planes of `half_planes`, each (3, F). left, right (F,): the face's box, left <= j < right. face,
@@ -172,7 +172,7 @@ def row_interval(planes, face, y, left, right):  # extra 2.15 (3 points)
     start = left.astype(float).take(face)
     end = right.astype(float).take(face)
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y)
+        opens = (n_x > 0) | ((n_x == 0) & (n_y > 0))  # top-left edges
         rise = np.where(opens, n_y, -n_y)  # with slope >= 0, e or -e grows from left to right
         slope = np.abs(n_x)
         # A horizontal edge's e is offset, and has its sign with a slope of TINY from x = 0 as well.
@@ -279,7 +279,7 @@ def fragments(clip, faces, width, height):
 
 
 def rasterize(clip, faces, width, height, beyond=None):
-    """What each pixel sees: `rasterize_loop` for whole meshes, also behind the camera.
+    """What each pixel sees: lab 2's `rasterize` for whole meshes, also behind the camera.
 
     clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
     face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are
@@ -299,3 +299,15 @@ def rasterize(clip, faces, width, height, beyond=None):
             seen = z == depth.take(pixel)
             face_index[pixel[seen]] = face[seen]  # the last write stays: the first of equally deep
     return face_index.reshape(height, width), depth.reshape(height, width)
+
+
+def trials():
+    """What is drawn to try whether lab 2's `rasterize` is the same: lists of its arguments."""
+    # Squares with corners on pixel centres, the second upon the first, the third clockwise.
+    x, y = np.array([[1.5, 5.5, 5.5, 1.5, 3.5, 9.5, 9.5, 3.5, 7.5, 7.5, 11.5, 11.5],
+                     [1.5, 1.5, 4.5, 4.5, 2.5, 2.5, 6.5, 6.5, 0.5, 5.5, 5.5, 0.5]])
+    squares = np.stack([x / 6 - 1, y / 4 - 1, np.repeat([0.5, 0.5, -0.5], 4), np.ones(12)], -1)
+    corners = np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7], [8, 9, 10], [8, 10, 11]])
+    # Faces through each other, through the near and far planes, and out of the picture.
+    soup = np.random.default_rng(2).uniform([-2, -2, -2, 0.5], [2, 2, 2, 2], (90, 4))
+    return [(squares, corners, 12, 8), (soup, np.arange(90).reshape(30, 3), 24, 15)]
