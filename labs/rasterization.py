@@ -25,7 +25,6 @@ CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
-# Refuse meanwhile: scanline.twice_area, sampling.polygon_area
 def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
@@ -41,7 +40,6 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     raise NotImplementedError("exercise 2.1: edge_function")
 
 
-# Refuse meanwhile: sampling.polygon_area_backward, rasterizer_gradients.edge_normals_backward
 def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
     """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
 
@@ -90,7 +88,6 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     raise NotImplementedError("exercise 2.5: is_top_left")
 
 
-# Refuse meanwhile: is_inside
 def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     """Eq. (2): does the counter-clockwise triangle cover the sample p?
 
@@ -106,7 +103,6 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     raise NotImplementedError("exercise 2.6: is_covered")
 
 
-# Refuse meanwhile: barycentric_on_face
 def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
@@ -173,7 +169,6 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-# Refuse meanwhile: scanline.rasterize, scanline.fragments
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spine
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
