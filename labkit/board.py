@@ -118,7 +118,7 @@ def table(board):
         if entry.topic != topic:
             topic = entry.topic
             rows.add_row("", f"{topic}.py", style="dim")
-        worth = "extra" if entry.extra else plural(entry.points, "point")
+        worth = "extra" if entry.extra else f"{entry.reached:g} of {entry.points}"
         rows.add_row(f"{entry.number:>5}", entry.name, worth, entry.told,
                      style=STYLES.get(entry.verdict))
     return rows
@@ -128,8 +128,8 @@ def title_row(number, topic, board):
     """A lab, its own topic, its points, and a bar that shows these."""
     reached, of = verdicts.points([entry for entry in board
                                    if exercises.lab_number(entry.topic) == number])
-    bar = ("#" * (BAR * reached // max(of, 1))).ljust(BAR, ".")
-    return f"Lab {number}", topic, f"{reached} of {of}", bar
+    bar = ("#" * int(BAR * reached / max(of, 1))).ljust(BAR, ".")
+    return f"Lab {number}", topic, f"{reached:g} of {of}", bar
 
 
 def next_to_do(entries, implementation, seed):
@@ -144,6 +144,8 @@ def next_to_do(entries, implementation, seed):
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
     lines = [headline(entry, wrong)]
+    if entry.verdict == "failing" and entry.checks and not entry.extra:
+        lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
     if wrong:
@@ -254,7 +256,8 @@ def open_pictures(board, seed):
         return
     pictures = {path.name: path.read_bytes() for path in paths}
     file = places.out("checks", "failed.html")
-    parts = [part for entry in failing for part in page.exercise_part(entry, None, pictures, seed)]
+    parts = [part for entry in failing
+             for part in page.exercise_part(entry, entry.reached, None, pictures, seed)]
     places.write_whole(file, page.document("What failed", *parts).encode("utf-8"))
     print("", "Pictures, all of them in the last:",
           *map(places.shown_path, [*sorted(paths), file]), sep="\n")
@@ -264,7 +267,7 @@ def open_pictures(board, seed):
 def all_done(board, spine):
     """The points, and what comes next: the rest of the lab, or a later one, or the reward."""
     reached, of = verdicts.points(board)
-    return (f"All that was asked for is done, {reached} of {plural(of, 'point')}. "
+    return (f"All that was asked for is done, {reached:g} of {plural(of, 'point')}. "
             f"Next: {coming({entry.number for entry in board}, board[-1].topic, spine)}.")
 
 

@@ -165,7 +165,9 @@ def autograder(asked):
     option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d"),
     option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason"),
     option("--people", metavar="FILE",
-           help="groups, and due times of single students: student,group,due"))
+           help="groups, and due times of single students: student,group,due"),
+    option("--all-or-nothing", action=argparse.BooleanOptionalAction,
+           help="no points for a part of an exercise's claims"))
 def grade(asked):
     """Grade what was handed in, each submission in a sandbox.
 

@@ -11,15 +11,10 @@
     Raised    a ValueError, where the fine print says so.
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
-    Twins     Given code and extras that return its answer, such as its fast version, refuse while
-              an exercise is checked, see `switched_off`.
 
 The checks call the code under test through `called`, and so does the gradient check.
 """
-import contextlib
-import importlib
 import re
-import types
 import warnings
 
 import numpy as np
@@ -32,46 +27,6 @@ def called(function, *args, **kwargs):
     """What function(*args, **kwargs) returns, in standard form. Its warnings are not shown."""
     with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
         return standard(function(*args, **kwargs))
-
-
-class Refused(RuntimeError):
-    """A twin was called."""
-
-
-def refuse(*_, refusal, **__):
-    """What a twin does while it is switched off."""
-    raise refusal.with_traceback(None)
-
-
-def switched_off(modules, twins, number):
-    """Let the twins of the exercise with this number refuse -> what `switch_on` takes.
-
-    modules {topic: module}. twins: names such as "scanline.rasterize" or, of what is given,
-    "arrays.scatter". It is their code that is exchanged, so they refuse whatever they are called
-    by.
-    """
-    off = []
-    for topic, name in (twin.split(".") for twin in twins):
-        twin = getattr(modules.get(topic) or given(topic), name, None)
-        if isinstance(twin, types.FunctionType):
-            refusal = Refused(f"{name} returns what exercise {number} asks for, so it refuses "
-                              f"while {number} is checked; write {number} without it")
-            code = refuse.__code__.replace(co_freevars=twin.__code__.co_freevars)  # of a decorator
-            off.append((twin, twin.__code__, twin.__defaults__, twin.__kwdefaults__))
-            switch_on([(twin, code, None, {"refusal": refusal})])
-    return off
-
-
-def given(name):
-    """The module of this room. None: there is none."""
-    with contextlib.suppress(ImportError):
-        return importlib.import_module(f"course.given.{name}")
-
-
-def switch_on(functions):
-    """functions: (function, its code, its defaults, its defaults of names alone)."""
-    for function, *parts in functions:
-        function.__code__, function.__defaults__, function.__kwdefaults__ = parts
 
 
 def standard(value):

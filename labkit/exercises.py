@@ -7,12 +7,7 @@ An exercise is a whole function with a mark on its def line, and nowhere else:
     def first_column(...):  # extra 2.14 (3 points)          complete in labs/, until it is opened
     def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
-Its docstring is the question, its body is the answer. Functions without a mark are given. What
-returns an exercise's answer, such as a fast version, is named above it and refuses while the
-exercise is checked. So does what calls it:
-
-    # Refuse meanwhile: scanline.rasterize, scanline.fragments
-    def rasterize_loop(...):  # exercise 2.13 (6 points), spine
+Its docstring is the question, its body is the answer. Functions without a mark are given.
 """
 import ast
 import functools
@@ -35,7 +30,6 @@ OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
                   rf"(?(1)({OPEN})?|(, spine)?)")
 ANY_MARK = re.compile(rf"^def .*{MARK.pattern}$", re.MULTILINE)
-TWINS = re.compile(r"# Refuse meanwhile: (.+)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
 
@@ -50,7 +44,6 @@ class Exercise(NamedTuple):
     is_extra: bool = False
     is_open: bool = True  # an extra is not, until it is opened: its answer is there
     is_spine: bool = False
-    twins: tuple = ()     # of functions, as "scanline.rasterize": they refuse while it is checked
 
 
 def topics() -> tuple[str, ...]:
@@ -183,8 +176,7 @@ def topic_exercises(topic: str) -> list[Exercise]:
             raise ValueError(f"{place}, line {exercise.line}: {exercise.name} is marked as "
                              f"exercise {exercise.number}, but {topic} is lab "
                              f"{lab_number(topic)}; number it {lab_number(topic)}.{rank}")
-    return [exercise._replace(twins=tuple(name if "." in name else f"{topic}.{name}"
-                                          for name in exercise.twins)) for exercise in found]
+    return list(found)
 
 
 def closed_extras(lab: list[Exercise], text: str) -> set[str]:
@@ -211,8 +203,7 @@ def text_exercises(text: str) -> tuple[Exercise, ...]:
             raise ValueError(f"line {line}: exercise {number} has {points} points; "
                              "give it 1 or more")
         require_question_and_answer(lines, functions[line], number)
-        found[number] = Exercise(number, functions[line].name, points, line, (), *kind,
-                                 twins_above(lines, line))
+        found[number] = Exercise(number, functions[line].name, points, line, (), *kind)
     needs = calls(text, [exercise.name for exercise in found.values()])
     return tuple(exercise._replace(calls=needs[exercise.name]) for exercise in found.values())
 
@@ -242,12 +233,6 @@ def marks(text):
                                  "or in other words")
             extra, number, points, opened, spine = mark.groups()
             yield line, number, int(points), bool(extra), not extra or bool(opened), bool(spine)
-
-
-def twins_above(lines, line):
-    """The functions that a comment above an exercise names: its answer's twins."""
-    comment = TWINS.match("".join(lines[line - 2:line - 1]))
-    return tuple(comment[1].strip().split(", ")) if comment else ()
 
 
 def require_question_and_answer(lines, function, number):

@@ -18,6 +18,7 @@ from .table import COMMAND
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
              "modules in labs/, one file each: from .norms import norm")
 KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
+NOTHING = "not started", "not readable"  # verdicts that give no points, whatever claims hold
 
 
 class Entry(NamedTuple):
@@ -41,6 +42,27 @@ class Entry(NamedTuple):
     def blocked_by(self) -> str:
         """The exercise that it waits for. "": none."""
         return self.verdict.partition("blocked by ")[2]
+
+    @property
+    def claims(self) -> tuple[int, int]:
+        """(how many claims of the question hold, how many there are)."""
+        return claims(self.checks)
+
+    @property
+    def reached(self) -> float:
+        """Its points by the share of its question's claims that hold, down to half points.
+
+        All of them only where it is done: else one can be lost after its claims have held.
+        """
+        hold, of = self.claims
+        if self.verdict == "done":
+            return self.points
+        return 0 if self.verdict in NOTHING or hold == of else 2 * self.points * hold // of / 2
+
+    def told_points(self, reached: float) -> str:
+        """A sentence on so many points: 2 of 3 points: 4 of 5 claims hold."""
+        hold, of = self.claims
+        return f"{reached:g} of {plural(self.points, 'point')}: {hold} of {of} claims hold"
 
 
 class Found(NamedTuple):
@@ -184,19 +206,32 @@ def verdict_of(verdicts: list[str], undone: list[str]) -> str:
                 "not started")
 
 
-def points(board: list[Entry]) -> tuple[int, int]:
-    """(points reached, points in all) of the core: an exercise gives all of its points, or none."""
+def claims(checks: list[Check]) -> tuple[int, int]:
+    """(how many claims of a question hold, how many there are). Each is one function of the tests.
+
+    It holds if its check has run and passed, in all its cases.
+    """
+    hold = {}
+    for check in checks:
+        if not check.fine_print:
+            name = check.nodeid.partition("[")[0]
+            hold[name] = hold.get(name, True) and check.verdict == "passed"
+    return sum(hold.values()), len(hold)
+
+
+def points(board: list[Entry]) -> tuple[float, int]:
+    """(points reached, points in all) of the core."""
     core = [entry for entry in board if not entry.extra]
-    return (sum(entry.points for entry in core if entry.verdict == "done"),
-            sum(entry.points for entry in core))
+    return sum(entry.reached for entry in core), sum(entry.points for entry in core)
 
 
 def as_json(board: list[Entry]) -> str:
-    """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told,
-    fine_print_open, checks}]}.
+    """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told, reached,
+    claims: [how many hold, of], fine_print_open, checks}]}.
     """
     reached, of = points(board)
     lines = [{**dict(zip(KEYS, entry, strict=False)), "told": entry.told,
+              "reached": entry.reached, "claims": entry.claims,
               "fine_print_open": entry.fine_print_open,
               "checks": [check._asdict() for check in entry.checks]} for entry in board]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"

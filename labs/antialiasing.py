@@ -138,7 +138,6 @@ def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 po
     return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
-# Refuse meanwhile: sweep_gradient.edge_crossing
 def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point), spine
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 

@@ -38,7 +38,6 @@ def lerp(a, b, t):
     return (1 - t) * a + t * b
 
 
-# Refuse meanwhile: attribute_on_segment
 def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (1 point)
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
@@ -75,7 +74,6 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-# Refuse meanwhile: rasterization.barycentric_on_face, vertex_gradients.barycentric
 def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
@@ -87,7 +85,6 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     raise NotImplementedError("exercise 5.5: barycentric_from_screen")
 
 
-# Refuse meanwhile: rasterization.normalize_derivative
 def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
     """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
@@ -122,7 +119,6 @@ def barycentric_from_screen_derivatives(de, e, w):
     return normalize_derivative(de / w[..., None], b, s, axis=-2)
 
 
-# Refuse meanwhile: interpolate, interpolation_matrix, weight_rows, barycentric_gradient
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points), spine
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
@@ -137,7 +133,6 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
     raise NotImplementedError("exercise 5.8: interpolate_loop")
 
 
-# Refuse meanwhile: interpolate_backward, barycentric_gradient, interpolation_matrix, weight_rows
 def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points), spine
                               faces, face_index, barycentric):
     """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.

@@ -24,7 +24,6 @@ from course.given.compiled import kernel
 
 
 @kernel
-# Refuse meanwhile: tiles_of
 def writers(boxes, width, height):  # exercise 17.1 (2 points)
     """Eq. (2) for a thread a face: how many threads write to each pixel?
 
@@ -64,7 +63,6 @@ def race(face, depth, schedule):
 
 
 @kernel
-# Refuse meanwhile: arrays.scatter_first
 def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
@@ -92,7 +90,6 @@ def mixed_in_passes(e, a):
 
 
 @kernel
-# Refuse meanwhile: mixed_in_passes
 def mixed_at_once(e, a):  # exercise 17.3 (2 points)
     """Eq. (4): `mixed_in_passes` as one loop over n, which makes no array but the result.
 
@@ -142,7 +139,6 @@ def tiles_of(boxes, size, across):
 
 
 @kernel
-# Refuse meanwhile: arrays.scatter, interpolation.sparse_matrix
 def gathered(start, item, values):  # exercise 17.5 (2 points)
     """Eq. (6): for each bin, the sum of its items' values, added in their order.
 

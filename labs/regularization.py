@@ -139,7 +139,6 @@ def vertex_areas_backward(grad_areas, triangles, faces):
     return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 
-# Refuse meanwhile: subdivision.pull_entries
 def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
@@ -280,7 +279,6 @@ def enclosed_volume(triangles):
     return (x0 * np.cross(x1, x2)).sum() / 6
 
 
-# Refuse meanwhile: rasterizer_gradients.edge_normals
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
     """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
 

@@ -69,7 +69,6 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):  # exercise 12.3 (2 poi
     raise NotImplementedError("exercise 12.3: vertex_quadrics")
 
 
-# Refuse meanwhile: quadric_error_backward
 def quadric_error(q, x):  # exercise 12.4 (1 point)
     """Eq. (2): the error v^T Q v of points x: q (..., 4, 4), x (..., 3) broadcast -> (...).
 
@@ -311,7 +310,6 @@ def why_refused(vertices, faces, a, b, position):
     return FLIP if flips(before, np.where(moves, position, before)) else 0
 
 
-# Refuse meanwhile: collapse_heap.simplify_heap
 def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 points)
     """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
 

@@ -72,7 +72,6 @@ def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
     return values @ inverse_differential(m, dm) @ a
 
 
-# Refuse meanwhile: rasterizer_gradients.depth_planes_backward
 def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.

@@ -35,7 +35,6 @@ from .subdivision import (
 # Point by point: slow and obvious
 
 
-# Refuse meanwhile: catmull_clark, catmull_clark_matrix, catmull_clark_step
 def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (4 points)
     """Eqs. (7) to (9), point by point: old vertices, edges of `faces_at_edges`, then `polygons`.
 

@@ -40,7 +40,6 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
     return grad_loss * 2 * (picture - target) / picture.size
 
 
-# Refuse meanwhile: regularization.uniform_adam_step
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points), spine
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.

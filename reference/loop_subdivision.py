@@ -47,7 +47,6 @@ def loop_weight(n):  # extra 11.4 (1 point)
     return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
 
 
-# Refuse meanwhile: loop, loop_matrix, loop_step
 def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
     """Eqs. (3) and (5), point by point: the old vertices, then the edges of `faces_at_edges`.
 
@@ -192,7 +191,6 @@ def loop_surface(cage, faces, steps):
     return loop_limit_matrix(faces, len(cage)) @ cage, faces
 
 
-# Refuse meanwhile: loop_surface
 def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.16 (3 points)
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 

@@ -175,7 +175,6 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
-# Refuse meanwhile: shading_requests
 def shading_requests_loop(face_index):  # exercise 4.8 (3 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 

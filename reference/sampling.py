@@ -93,7 +93,6 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
     return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
 
 
-# Refuse meanwhile: convolve_by_spectrum
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
@@ -236,7 +235,6 @@ def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
     return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
 
 
-# Refuse meanwhile: pixel_coverage
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 

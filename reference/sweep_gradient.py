@@ -70,7 +70,6 @@ def edge_lines(a, b, height):
     return row, *edge_crossing(a, b, row + 0.5)
 
 
-# Refuse meanwhile: pulls
 def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.

@@ -130,25 +130,6 @@ def package(code):
     sys.modules.update(before)
 
 
-@contextlib.contextmanager
-def without_twins(find, exercise):
-    """The code under test, in which an exercise's twins refuse. find: see `finder`."""
-    for twin in exercise.twins:
-        with contextlib.suppress(Mismatch):  # what cannot be imported answers nothing
-            find(*twin.split("."))
-    off = contract.switched_off(loaded(), exercise.twins, exercise.number)
-    try:
-        yield
-    finally:
-        contract.switch_on(off)
-
-
-def loaded():
-    """{topic: module} of the code under test, as far as it was imported."""
-    return {name.removeprefix(f"{PACKAGE}."): module for name, module in sys.modules.items()
-            if name.startswith(f"{PACKAGE}.")}
-
-
 def taken_out():
     """{name: module} of the package of the code under test, which is known no longer."""
     return {name: sys.modules.pop(name) for name in list(sys.modules)

@@ -64,7 +64,7 @@ def coloured(verdict):
 def rows(lines, head=None):
     """A table of these rows of cells: numbers, texts and Markup. A number is set to the right."""
     def cell(content, tag):
-        text = str(content)
+        text = f"{content:g}" if isinstance(content, float) else str(content)
         kind = "number" if isinstance(content, int | float) else "short" * (len(text) <= SHORT)
         inside = content if isinstance(content, Markup) else breakable(text)
         return f'<{tag} class="{kind}">{inside}</{tag}>'
@@ -85,15 +85,16 @@ def bar(part, whole):
     return Markup(f'<div class="bar"><i style="width:{100 * part / max(whole, 1):.0f}%"></i></div>')
 
 
-def exercise_part(entry, lost: str | None, pictures: dict, seed: int) -> list[str]:
+def exercise_part(entry, reached, lost: str | None, pictures: dict, seed: int) -> list[str]:
     """What is wrong in an exercise: every claim that failed, its message and its picture.
 
-    entry: as in labkit/verdicts.py. lost: what became of the process that ran it, or None.
+    entry: as in labkit/verdicts.py. reached: its points. lost: what became of the process that ran
+    it, or None.
     """
     failed = [check for check in entry.checks if check.verdict != "passed"]
     parts = [f"<h2>{entry.number} {html.escape(entry.name)}: {coloured(entry.told)}</h2>",
-             paragraph(f"{len(failed)} of {len(entry.checks)} claims do not hold. "
-                       f"To run them again: {rerun(entry.number, seed=seed)}")]
+             paragraph(f"{entry.told_points(reached)}. "
+                       f"To check it again: {rerun(entry.number, seed=seed)}")]
     if lost:
         parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
     for check in failed:

@@ -3,14 +3,12 @@
 The report of a failed check is short and shows the last call to the code under test. --tb=long
 gives pytest's own instead.
 """
-import contextlib
 import functools
 import zlib
 
 import numpy as np
 import pytest
 
-from .. import exercises
 from . import alarm, loader, report
 
 
@@ -59,22 +57,10 @@ def find_function(pytestconfig):
 
 
 @pytest.fixture
-def impl(request, find_function, pytestconfig):
+def impl(request, find_function):
     """The functions of the topic that the test's file is named after, see Implementation."""
     topic = request.path.stem.removeprefix("test_")
-    exercise = checked_exercise(topic, request.node.get_closest_marker("exercise"))
-    here = exercise and loader.FIND not in pytestconfig.stash  # and not in another process
-    with loader.without_twins(find_function, exercise) if here else contextlib.nullcontext():
-        yield loader.Implementation(functools.partial(find_function, topic), request.node.stash)
-
-
-def checked_exercise(topic, mark):
-    """The exercise of a check. None: a test without a mark is no check, and a topic whose questions
-    cannot be read has no twins, either.
-    """
-    with contextlib.suppress(OSError, ValueError):
-        return next((exercise for exercise in (exercises.topic_exercises(topic) if mark else ())
-                     if exercise.number == mark.args[0]), None)
+    return loader.Implementation(functools.partial(find_function, topic), request.node.stash)
 
 
 class Generator(np.random.Generator):

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .. import places
-from ..contract import UNFINISHED, Refused
+from ..contract import UNFINISHED
 from ..table import COMMAND
 from . import hints
 from .assertions import Mismatch
@@ -129,7 +129,7 @@ def explained(error, item):
 
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else ""."""
-    if isinstance(error, Refused) or (isinstance(error, Mismatch) and "expected" not in dict(rows)):
+    if isinstance(error, Mismatch) and "expected" not in dict(rows):
         return ""
     return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
 

@@ -14,7 +14,7 @@ from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
 KEPT = ("labs", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
-        "overrides", "people")
+        "overrides", "people", "all_or_nothing")
 
 
 class Request(NamedTuple):
@@ -37,6 +37,7 @@ class Request(NamedTuple):
     grace: str | None = None
     overrides: str | None = None
     people: str | None = None
+    all_or_nothing: bool | None = None  # not by the share of claims that hold
 
 
 def recalled(request) -> tuple[Request, str]:
@@ -56,8 +57,8 @@ def recalled(request) -> tuple[Request, str]:
             raise ValueError(f"{again[name]}, the last run's --{name}, is not there any more: "
                              f'give --{name} FILE, or forget it with --{name} ""')
     whole = {"labs": numbers(None), "seed": secrets.randbits(128)} | again | {
-        name: value if value != "" else None for name, value in given.items()}
-    said = " ".join(f"--{name}" if value is True else f"--{name} {value}"
+        name: None if value == "" or value is False else value for name, value in given.items()}
+    said = " ".join(f"--{name.replace('_', '-')}" + f" {value}" * (value is not True)
                     for name, value in again.items() if name != "seed")
     return request._replace(**whole), said and f"as in the last run: {said}"
 

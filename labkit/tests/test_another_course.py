@@ -140,7 +140,7 @@ def test_it_is_handed_out_checked_packed_and_graded(course, tmp_path):
     assert not (home / "reference").exists()
     write(home, ANSWERS)
     board = labkit(home, "check", status=1)
-    assert "merge_sort  1 point   failing" in board and "python3 -m labkit check 1.2" in board
+    assert "merge_sort  0 of 1  failing" in board and "python3 -m labkit check 1.2" in board
     labkit(home, "pack", handed_in / "ada.zip")
     level, _ = sandbox.available()
     labkit(course, "grade", handed_in, "--out", tmp_path / "out", "--isolation", level)

@@ -79,18 +79,19 @@ def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(wh
     done, _ = whole
     assert done.stderr == ""
     assert lines(done.stdout) == [
-        "Lab 1  transforms     2 of 18   ##..................",
-        "  1.1  double         2 points  done",
-        "  1.2  half           3 points  failing",
-        "  1.3  quarter        1 point   blocked by 1.2",
-        "  1.4  mask           4 points  not started",
-        "  1.5  area           2 points  blocked by 1.4",
-        "  1.6  unchecked      5 points  failing",
-        "  1.7  skipped        1 point   failing",
-        "Lab 2  rasterization  3 of 3    ####################",
-        "  2.1  twice          3 points  done",
+        "Lab 1  transforms     3.5 of 18  ###.................",
+        "  1.1  double         2 of 2     done",
+        "  1.2  half           1.5 of 3   failing",
+        "  1.3  quarter        0 of 1     blocked by 1.2",
+        "  1.4  mask           0 of 4     not started",
+        "  1.5  area           0 of 2     blocked by 1.4",
+        "  1.6  unchecked      0 of 5     failing",
+        "  1.7  skipped        0 of 1     failing",
+        "Lab 2  rasterization  3 of 3     ####################",
+        "  2.1  twice          3 of 3     done",
         "",
         "Next: 1.2 half, failing in 1 of 2 checks",
+        "points    1.5 of 3 points: 1 of 2 claims hold",
         "claim     Half of three",
         "perhaps   A third.",
         "given     half(x=3.0)",
@@ -108,9 +109,9 @@ def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(wh
 
 
 def test_the_json_holds_the_board_and_every_check(whole):
-    """A key is missing, or points of an exercise that is not done are counted."""
+    """A key is missing, or points of what is not started are counted."""
     _, found = whole
-    assert (found["points"], found["of"]) == (5, 21)
+    assert (found["points"], found["of"]) == (6.5, 21)
     verdicts = {entry["number"]: entry["verdict"] for entry in found["exercises"]}
     assert verdicts == {"1.1": "done", "1.2": "failing", "1.3": "blocked by 1.2",
                         "1.4": "not started", "1.5": "blocked by 1.4", "1.6": "failing",
@@ -118,7 +119,8 @@ def test_the_json_holds_the_board_and_every_check(whole):
     half = found["exercises"][1]
     assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
                                      "points": 3, "extra": False, "verdict": "failing",
-                                     "told": "failing", "fine_print_open": False, "checks": []}
+                                     "told": "failing", "reached": 1.5, "claims": [1, 2],
+                                     "fine_print_open": False, "checks": []}
     passed, failed = half["checks"]
     assert passed["verdict"] == "passed" and passed["message"] == ""
     assert failed["seconds"] >= 0 and failed["picture"] is None
@@ -185,8 +187,8 @@ def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_here):
             "ModuleNotFoundError: No module named 'nothing'") in done.stdout
     assert ("tests/labs/test_transforms.py::test_skipped names exercise 1.9, "
             "and there is none") in done.stdout
-    assert "  2.1  twice          3 points  failing" in done.stdout
-    assert "  1.2  half           3 points  failing" in done.stdout
+    assert "  2.1  twice          0 of 3      failing" in done.stdout
+    assert "  1.2  half           1.5 of 3    failing" in done.stdout
     assert "wrong     OSError: spoilt" in done.stdout
     done = run_here(root, "course", "check", "1.1")
     assert "All that was asked for is done" in done.stdout
@@ -232,7 +234,8 @@ def entry(number, verdict, *of_checks):
 
 @pytest.mark.parametrize(("entries", "text"), [
     ([entry("1.1", "failing", "passed", "blocked by 2.1", "failed", *["failed"] * 5)],
-     "Next: 1.1 f, failing in 7 of 8 checks\nclaim     claim 2\nfor it is failed\n"
+     "Next: 1.1 f, failing in 7 of 8 checks\npoints    0 of 2 points: 1 of 8 claims hold\n"
+     "claim     claim 2\nfor it is failed\n"
      "fails too claim 3; claim 4; claim 5; 3 more\n"
      "again     python3 -m course check 1.1\n"),
     ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 1.3", "failed"),
@@ -269,10 +272,10 @@ def test_a_file_that_is_not_python_is_one_line(house, run_here):
     """Every check of the lab fails, each with the same traceback, and other labs are not run."""
     root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})
     done = run_here(root, "course", "check", "--json", "board.json")
-    assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18   ....................",
-                                      "  1.1  double         2 points  not readable"]
+    assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18  ....................",
+                                      "  1.1  double         0 of 2   not readable"]
     assert lines(done.stdout)[-3:] == [
-        "  2.1  twice          3 points  done", "",
+        "  2.1  twice          3 of 3   done", "",
         "labs/transforms.py, line 7: this is not Python ('(' was never closed); mend it first"]
     assert done.returncode == 1 and done.stderr == ""
     assert json.loads((root / "board.json").read_text())["points"] == 3
@@ -384,9 +387,10 @@ def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_here):
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         output = process.communicate(timeout=60)[0]
-    assert "  1.1  double      2 points  done" in output
+    assert "  1.1  double      2 of 2   done" in output
     assert "\nIt was stopped; not all checks have run.\n" in output
     assert ("Next: 1.2 half, failing in 1 of 2 checks, 1 not run\n"
+            "points    0 of 3 points: 0 of 2 claims hold\n"
             "claim     Half of nothing\n") in output
     assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
     assert process.returncode == 1

@@ -108,13 +108,13 @@ def test_the_question_gives_the_points_and_the_fine_print_is_told(root, lab, run
     """The fine print takes points, or nobody hears of it."""
     lab.write_text(ROUGH)
     board = run("check", "--json", "board.json")
-    assert "2 of 2" in board and "1.1 double 2 points done, fine print open" in board
+    assert "2 of 2" in board and "1.1 double 2 of 2 done, fine print open" in board
     assert "All that was asked for is done, 2 of 2 points" in board
     assert "Left: the fine print of 1.1 double claim Nothing stays nothing (fine print)" in board
     [entry] = json.loads((root / "board.json").read_text())["exercises"]
     assert (entry["verdict"], entry["told"]) == ("done", "done, fine print open")
     lab.write_text(REFERENCE.replace("return 2 * x", "return 0.0"))
-    assert "1.1 double 2 points failing" in run("check", status=1)
+    assert "1.1 double 0 of 2 failing" in run("check", status=1)
 
 
 def test_mutants_are_counted_by_kind(run):

@@ -7,6 +7,7 @@ import zipfile
 
 import pytest
 from graded import entry, exercise, result
+from made_up import check_text
 from small_course import (
     CHECKS,
     LAB,
@@ -94,7 +95,7 @@ def test_the_level_is_stated_wherever_marks_are(graded):
 def test_a_student_reads_which_claim_failed_and_how_to_run_it(graded):
     """A report without the reason, or of a check that passed."""
     text = (graded[0] / "students" / "eve" / "report.html").read_text("utf-8")
-    assert "3 of 10 points" in text and "1 of 1 claims do not hold" in text
+    assert "3 of 10 points" in text and "0 of 4 points: 0 of 1 claims hold" in text
     assert "Half and sign" in text and "no answer within 4 s" in text
     assert "python3 -m course check 1.3" in text and "Twice" not in text
 
@@ -121,6 +122,20 @@ def test_fine_print_that_hangs_costs_no_points(ada_graded, tmp_path):
                work=LAB.replace("return 2 * x", "while not x.size: pass\n    return 2 * x"))
     row = grades(tmp_path / "out")["ada"]
     assert (row["total"], row["fine print open"]) == ("7", "1.1")
+
+
+def test_claims_after_a_hang_do_not_hold(ada_graded, tmp_path):
+    """Checks that did not run are no claims: who hangs after the first one gets all points. Or the
+    first one is lost, which holds at home.
+    """
+    more = "".join(check_text("1.3", f"split_{n}", "", f"x = np.zeros({n})",
+                              "assert_close(impl.split(x), (x, x > 0))") for n in (0, 1))
+    ada_graded("--seconds", 1, checks=CHECKS + more,
+               work=LAB.replace("return x / 2", "while not x.size: pass\n    return x / 2"))
+    row = grades(tmp_path / "out")["ada"]
+    assert (row["1.3 split"], row["total"]) == ("1", "4")
+    report = (tmp_path / "out" / "students" / "ada" / "report.html").read_text("utf-8")
+    assert "1 of 4 points: 1 of 3 claims hold" in report
 
 
 def test_nothing_is_graded_where_the_reference_fails(ada_graded, tmp_path):

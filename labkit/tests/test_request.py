@@ -43,6 +43,14 @@ def test_an_option_is_forgotten_with_an_empty_text(ask):
         assert (asked.due, asked.late, asked.seed) == (None, None, 0)
 
 
+def test_the_rule_for_points_can_be_taken_back(ask):
+    """Who has tried --all-or-nothing grades so for ever."""
+    assert ask(labs="1", all_or_nothing=True)[0].all_or_nothing
+    assert ask()[1] == "as in the last run: --labs 1 --all-or-nothing"
+    assert not ask(all_or_nothing=False)[0].all_or_nothing
+    assert not ask()[0].all_or_nothing
+
+
 def test_other_labs_do_not_go_into_the_same_folder(ask):
     """The table of labs 1 to 3 becomes one of lab 1; or 1-2 and 1,2 are two things."""
     ask(labs="1-2")

@@ -5,8 +5,6 @@ Beside its docstring stands its code, with the numbers of its lines in the file.
 """
 import ast
 
-from labkit import exercises
-
 from . import put, sources_course
 from .names import exercise_pages, kind, lab_title, mark
 from .sources_code import blocks, html_lines, numbered
@@ -105,8 +103,6 @@ def definition(course, module, lines, block):
     node, = block.nodes
     question = node.body[0] if ast.get_docstring(node) else None
     hidden = {*range(question.lineno, question.end_lineno + 1)} if question else set()
-    if exercises.twins_above(module.text.splitlines(), node.lineno):
-        hidden.add(node.lineno - 1)  # for whoever checks an answer
     code = numbered(lines, block.first, block.last, hidden)
     return directive(*signature(node), "".join([
         as_myst('<div class="beside"><div class="said">'),

@@ -85,7 +85,6 @@ def wrong_lines(module, page):
     for element in page.select('[id^="line-"]:not(.linenos)'):
         shown[int(element["id"].removeprefix("line-"))].append(section_text(element))
     anchors = {int(element["id"].removeprefix("line-")) for element in page.select('[id^="line-"]')}
-    inside |= {n for n, line in enumerate(lines, 1) if exercises.TWINS.match(line)}
     expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
     strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
                or (texts[0] != lines[n - 1] and plain(lines[n - 1]) not in texts[0])}

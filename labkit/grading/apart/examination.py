@@ -71,7 +71,6 @@ class Examination:
         self.job = job
         self.own = {name: text for name, text in job.texts.items() if name not in exercises.TOPICS}
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
-        self.twins = {exercise.number: exercise.twins for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
         self.state = {}         # {exercise: State}
@@ -176,8 +175,8 @@ class Examination:
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
         try:
-            message = "open", modules, preloaded(topic), self.twins[self.running], self.running
-            self.outcome(topic, None, self.exchange(message), [])
+            message = self.exchange(("open", modules, preloaded(topic)))
+            self.outcome(topic, None, message, [])
             self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
@@ -201,9 +200,8 @@ class Examination:
 
         So a mistake costs its own points alone, and work that is all right runs as it does at home.
         """
-        twins = {twin.split(".")[1] for twin in self.twins[self.running]}
-        return tuple(name for name, number in numbers.items() if name not in twins
-                     and (self.job.asks is None or not self.is_sound(number)))
+        return tuple(name for name, number in numbers.items()
+                     if self.job.asks is None or not self.is_sound(number))
 
     def is_sound(self, number):
         """Has an exercise passed all of its checks, without an answer of the reference?"""

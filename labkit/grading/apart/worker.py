@@ -104,12 +104,12 @@ def main():
         channel.contract = importlib.import_module("labkit.contract")
         channel.send("ready", confine.give_up(settings))
         while True:
-            _, modules, preloaded, *refusing = channel.receive()
+            _, modules, preloaded = channel.receive()
             codes = [(topic, compiled(topic, text), stand_ins)
                      for topic, text, stand_ins in modules]
             for name in preloaded:  # the reference imports it: once for all exercises, before fork
                 importlib.import_module(name)
-            serve_apart(channel, control, codes, refusing)
+            serve_apart(channel, control, codes)
 
 
 def opened_stream():
@@ -131,7 +131,7 @@ def file_name(topic):
     return f"{PACKAGE}/{topic}.py"
 
 
-def serve_apart(channel, control, codes, refusing):
+def serve_apart(channel, control, codes):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
     parent = os.getpid()
     child = os.fork()
@@ -140,7 +140,7 @@ def serve_apart(channel, control, codes, refusing):
         confine.end_with_the_parent()
         if os.getppid() != parent:  # it has ended already
             os._exit(1)
-        serve(channel, codes, refusing)
+        serve(channel, codes)
         os._exit(0)
     _, status = os.waitpid(child, 0)
     if os.getpid() == 1:  # of a namespace of its own: here this means every process in the sandbox
@@ -164,17 +164,12 @@ def emptied():
     return not os.listdir()
 
 
-def serve(channel, codes, refusing):
-    """Load the modules, then answer calls to their functions until the grader closes.
-
-    refusing: the twins of the exercise, and its number, see labkit/contract.py.
-    """
+def serve(channel, codes):
+    """Load the modules, then answer calls to their functions until the grader closes."""
     sys.stdout = sys.stderr = printed = Printed()
     warnings.simplefilter("ignore")
     try:
         modules = load(channel, codes)
-        if refusing:
-            channel.contract.switched_off(modules, *refusing)
     except BaseException as error:
         channel.send("raised", *error_parts(error), printed.taken())
     else:

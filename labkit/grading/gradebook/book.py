@@ -18,6 +18,7 @@ class Gradebook:
         if (asked.csv is None) != (asked.roster is None) or (asked.assignment and not asked.csv):
             raise ValueError("--csv PLATFORM and --roster FILE belong together, and --assignment "
                              "to both: the import file is made from the platform's own export")
+        self.all_or_nothing = bool(asked.all_or_nothing)
         self.of = sum(exercise.points for exercise in columns)
         self.policy = lateness.policy(asked.due, asked.late, asked.grace)
         self.by_hand = {} if asked.overrides is None else overrides.read(
@@ -36,7 +37,8 @@ class Gradebook:
         policy = self.policy._replace(due=self.due.get(one.student, self.policy.due))
         return record._replace(work=one._replace(texts={}, missing={}, handed_in=when),
                                lateness=lateness.judged(policy, when, one.late),
-                               overrides=self.by_hand.get(one.student, {}))
+                               overrides=self.by_hand.get(one.student, {}),
+                               all_or_nothing=self.all_or_nothing)
 
     def when(self, one):
         """Seconds since 1970. Moodle tells them in its worksheet only."""

@@ -24,6 +24,7 @@ class Record(NamedTuple):
     result: Result
     lateness: Lateness = Lateness()
     overrides: dict[str, Override] = {}  # noqa: RUF012, {exercise, or "total", or "late": ...}
+    all_or_nothing: bool = False  # an exercise gives all of its points where it is done, else none
 
     def failed(self, problem: str) -> "Record":
         """The same record, of what could not be graded."""

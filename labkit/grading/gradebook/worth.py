@@ -16,7 +16,7 @@ def points(record: Record) -> dict[str, float]:
 
 def by_checks(record):
     """{exercise: points}, as the checks give them."""
-    return {entry.number: entry.points * (entry.verdict == "done")
+    return {entry.number: 0 if record.all_or_nothing and entry.verdict != "done" else entry.reached
             for entry in record.result.entries}
 
 
@@ -47,6 +47,7 @@ def changes(before: Record, now: Record):
     causes = {"handed in again": before.work.digest != now.work.digest,
               "other checks": before.how.checks != now.how.checks,
               "other isolation": before.how.level != now.how.level,
+              "all or nothing": before.all_or_nothing != now.all_or_nothing,
               "by hand": before.overrides != now.overrides,
               "lateness": before.lateness != now.lateness,
               "one of the two could not be graded": before.result.problem != now.result.problem}
@@ -81,7 +82,7 @@ def fine_print(record: Record) -> tuple[int, int]:
 
 def override_sentences(record: Record) -> list[str]:
     """A sentence for each override, as tables and pages show it."""
-    before = {number: f" instead of {got}" for number, got in by_checks(record).items()}
+    before = {number: f" instead of {got:g}" for number, got in by_checks(record).items()}
     before["total"] = f" instead of {number_text(sum(points(record).values()))}"
     before["late"] = " taken off"
     return [f"{what}: {number_text(override.points)}{before.get(what, '')} by hand "

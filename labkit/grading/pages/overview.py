@@ -91,8 +91,8 @@ def distribution(graded, exercises):
 
 
 def hardest(graded, exercises):
-    solved = {exercise.number: sum(points(record).get(exercise.number, 0) > 0 for record in graded)
-              for exercise in exercises}
+    solved = {exercise.number: sum(points(record).get(exercise.number, 0) >= exercise.points
+                                   for record in graded) for exercise in exercises}
     order = sorted(exercises, key=lambda exercise: solved[exercise.number])
     return table([[exercise.number, exercise.name, solved[exercise.number],
                    bar(solved[exercise.number], len(graded))] for exercise in order],
@@ -123,11 +123,11 @@ def everybody(records, exercises):
     columns = {
         "": lambda record: student_link(record.work.student),
         "name": name_besides,
-        "points": lambda record: number(total(record)),
+        "points": lambda record: float(total(record)),
         f"of {of}": lambda record: bar(total(record), of),
         "handed in": lambda record: record.lateness.handed_in.replace("T", " "),
         "late": lateness,
-        "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
+        "points left": lambda record: after_lateness(record) if lateness(record) else "",
         "by hand": lambda record: in_one_cell(override_sentences(record)),
         "seed": lambda record: str(record.how.seed),
         "problem": lambda record: first_line(record.result.problem or ""),
@@ -141,10 +141,6 @@ def name_besides(record):
     """The student's name, where the row has a number or an address of a platform."""
     name = record.work.identity.name
     return "" if record.work.student.startswith(tidy(name)[:20]) else name
-
-
-def number(reached):
-    return int(reached) if reached == int(reached) else reached
 
 
 def lateness(record):

@@ -8,7 +8,7 @@ import re
 from ...checks import page as html
 from ..gradebook.records import Record
 from ..gradebook.sheets import number_text
-from ..gradebook.worth import after_lateness, points, sentences
+from ..gradebook.worth import after_lateness, by_checks, points, sentences
 
 IMPORT = "cannot be imported"  # so `examine` says of a lab
 
@@ -27,7 +27,8 @@ def page(record: Record, pictures, about) -> str:
     for entry in result.entries:
         if needs_a_part(entry, record):
             lost = result.lost.get(entry.number)
-            parts += html.exercise_part(entry, lost, pictures, how.seed)
+            got = by_checks(record)[entry.number]
+            parts += html.exercise_part(entry, got, lost, pictures, how.seed)
     parts += ["<h2>How this was found</h2>", html.paragraph(
         f"Isolation {how.level} ({about}); seed {how.seed}; {result.seconds:.1f} s; "
         f"hash of what was handed in {work.digest}.")]

@@ -1,0 +1,76 @@
+"""Points by claims that hold: an exercise's share of them, and one sum in all that is written."""
+import csv
+
+import pytest
+from graded import check, entry, exercise, record, result, submission
+
+from labkit import verdicts
+from labkit.grading.gradebook import tables, worth
+from labkit.grading.gradebook.book import Gradebook
+from labkit.grading.pages import report
+from labkit.grading.request import Request
+from labkit.grading.results import Results, Run
+
+EDGE, COVER = COLUMNS = [exercise("2.1", "edge", 4), exercise("2.2", "cover", 3)]
+
+
+def half_right(asked=COVER, verdict="failing", held=4, of=5, *more):
+    """An exercise of which so many claims hold."""
+    return entry(asked, verdict, *(
+        check(asked.number, f"claim {k}", "passed" if k < held else "failed")
+        for k in range(of)), *more)
+
+
+@pytest.mark.parametrize(("found", "reached", "claims"), [
+    (half_right(), 2, (4, 5)),
+    (half_right(held=3), 1.5, (3, 5)),
+    (half_right(held=1), 0.5, (1, 5)),
+    (half_right(held=0), 0, (0, 5)),
+    (half_right(held=5, verdict="done"), 3, (5, 5)),
+    (half_right(held=5), 0, (5, 5)),  # its process was lost after that
+    (half_right(verdict="not started"), 0, (4, 5)),
+    (half_right(verdict="blocked by 2.1"), 2, (4, 5)),
+    (half_right(COVER, "failing", 1, 2, check("2.2", fine_print=True)), 1.5, (1, 2)),
+    (half_right(COVER, "done", 2, 2, check("2.2", verdict="failed", fine_print=True)), 3, (2, 2)),
+    (entry(COVER, "failing", check("2.2", "a[1]"), check("2.2", "a[2]", "failed"),
+           check("2.2", "b"), check("2.2", "c", "not run")), 1, (1, 3)),
+    (entry(COVER, "not readable"), 0, (0, 0))])
+def test_an_exercise_gives_the_share_of_its_claims_that_hold(found, reached, claims):
+    """A check that did not run is no claim, each case of a claim is one, fine print gives or costs
+    points, a third is rounded up, or all points are there for what is not done.
+    """
+    assert (found.reached, found.claims) == (reached, claims)
+    assert verdicts.points([found, found]) == (2 * reached, 6)
+
+
+def test_all_that_is_written_has_the_same_half_points():
+    """The table rounds, the report says all points or none, or the platform gets another sum."""
+    ada = record(submission("ada"), result(half_right(EDGE, "done", 2, 2), half_right(held=3)))
+    cells = tables.line(ada, COLUMNS)
+    assert [cells[name] for name in ("2.1 edge", "2.2 cover", "core", "total", "after lateness")
+            ] == ["4", "1.5", "5.5", "5.5", "5.5"]
+    page = report.page(ada, {}, "")
+    assert "5.5 of 7 points" in page and "1.5 of 3 points: 3 of 5 claims hold" in page
+    assert '<td class="number">1.5</td><td class="number">3</td>' in page
+    given = report.gradescope(ada, "")
+    assert given["score"] == sum(test["score"] for test in given["tests"]) == 5.5
+    by_hand = ada._replace(overrides=record(None, None, overrides={"2.2": (2.5, "x")}).overrides)
+    assert worth.override_sentences(by_hand) == ["2.2: 2.5 instead of 1.5 by hand (x)"]
+
+
+def test_all_or_nothing_is_another_sum_of_the_same_checks(tmp_path):
+    """Everybody is graded again for it, a page keeps the other sum, or nobody can say why."""
+    ada, run = submission("ada"), Run(COLUMNS, "process", "", "c")
+    found = result(half_right(EDGE, "done", 2, 2), half_right(held=3))
+    Results(tmp_path, Gradebook(Request("in", "out"), [ada], COLUMNS), run).add(
+        ada, 0, "same", found, {})
+    strict = Gradebook(Request("in", "out", all_or_nothing=True), [ada], COLUMNS)
+    results = Results(tmp_path, strict, run)
+    assert results.keep("ada", "same")
+    results.close()
+    with open(tmp_path / "grades.csv", encoding="utf-8-sig") as file:
+        [row] = csv.DictReader(file)
+    assert (row["2.2 cover"], row["total"]) == ("0", "4")
+    page = (tmp_path / "students/ada/report.html").read_text("utf-8")
+    assert "4 of 7 points" in page and "0 of 3 points: 3 of 5 claims hold" in page
+    assert results.changed() == ["ada: 4 points, 5.5 before: all or nothing"]
