@@ -57,7 +57,7 @@ def row(face_count):
     for _ in range(11 if face_count < BY_LOOP else 7):
         for name, call in calls.items():
             took[name].append(milliseconds(call))
-    loop = {"loop": milliseconds(lambda: rasterization.rasterize_loop(*scene))}
+    loop = {"loop": milliseconds(lambda: rasterization.rasterize.written(*scene))}
     return {"faces": len(faces), **(loop if face_count < BY_LOOP else {}),
             **{name: statistics.median(times) for name, times in took.items()}}
 

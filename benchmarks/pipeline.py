@@ -22,7 +22,6 @@ from reference import (
     pipeline,
     rasterization,
     rasterizer_gradients,
-    scanline,
 )
 
 
@@ -49,7 +48,7 @@ def row(face_count, size):
 def stages(clip, faces, attributes, size):
     """{stage: call}, in order; "d " are the backward passes. Each gets what came before it."""
     opposite = antialiasing.opposite_vertices(faces)  # once for a mesh
-    face_index, depth = scanline.rasterize(clip, faces, size, size)
+    face_index, depth = rasterization.rasterize(clip, faces, size, size)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     colour = interpolation.interpolate(attributes, faces, face_index, barycentric)
     grad = np.random.default_rng(1).normal(size=colour.shape)
@@ -57,7 +56,7 @@ def stages(clip, faces, attributes, size):
     grad_barycentric = interpolation.interpolate_backward(grad, attributes, faces, face_index,
                                                           barycentric)[1]
     return {
-        "rasterize": lambda: scanline.rasterize(clip, faces, size, size),
+        "rasterize": lambda: rasterization.rasterize(clip, faces, size, size),
         "barycentrics": lambda: rasterization.barycentrics(face_index, clip, faces),
         "interpolate": lambda: interpolation.interpolate(attributes, faces, face_index,
                                                          barycentric),

@@ -15,7 +15,6 @@ from reference import (
     interpolation,
     pipeline,
     rasterization,
-    scanline,
 )
 
 WORK = {"visible": "Face index and depth",
@@ -55,9 +54,9 @@ def plain(scene):
                                                     np.zeros(3))
         return without_kernels(pipeline.draw_backward)(gradient, buffers, faces, material)
 
-    return {"visible": lambda: scanline.rasterize(clip, faces, size, size),
+    return {"visible": lambda: rasterization.rasterize(clip, faces, size, size),
             "interpolated": interpolated, "both ways": both_ways,
-            "covered": lambda: scanline.rasterize(clip, faces, size, size)[0]}
+            "covered": lambda: rasterization.rasterize(clip, faces, size, size)[0]}
 
 
 def compiled(scene):

@@ -23,7 +23,7 @@ CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
-def edge_function(p, a, b):  # step 2.1
+def edge_function(p, a, b):  # exercise 2.1 (1 point)
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
     p, a, b (..., 2) broadcast -> e (...).
@@ -35,12 +35,7 @@ def edge_function(p, a, b):  # step 2.1
     0 at both ends. Then neighbours, which walk their edge in opposite directions, leave no hole. So
     measure p from the same end in both, say from the one with the smaller x.
     """
-    x,  y  = p[..., 0], p[..., 1]
-    x0, y0 = a[..., 0], a[..., 1]
-    x1, y1 = b[..., 0], b[..., 1]
-    from_x = np.minimum(x0, x1)
-    from_y = np.where(x0 <= x1, y0, y1)  # with equal x it makes no difference: x1 - x0 is 0
-    return (y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)
+    raise NotImplementedError("exercise 2.1: edge_function")
 
 
 def signed_area(triangle):
@@ -57,7 +52,7 @@ def signed_area(triangle):
     return (x1 * y2 - x2 * y1) / 2
 
 
-def is_top_left(n_x, n_y):  # step 2.5
+def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -66,10 +61,10 @@ def is_top_left(n_x, n_y):  # step 2.5
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
     """
-    return (n_x > 0) | ((n_x == 0) & (n_y > 0))
+    raise NotImplementedError("exercise 2.5: is_top_left")
 
 
-def screen_weights(p, triangle):  # step 2.7
+def screen_weights(p, triangle):  # exercise 2.7 (1 point)
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -78,8 +73,7 @@ def screen_weights(p, triangle):  # step 2.7
     >>> screen_weights(np.array([1.0, 0.0]), triangle)
     array([0.75, 0.25, 0.  ])
     """
-    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
-    return e / e.sum(-1, keepdims=True)
+    raise NotImplementedError("exercise 2.7: screen_weights")
 
 
 def cover(p, triangle, z):  # exercise 2.6 (6 points)

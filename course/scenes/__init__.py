@@ -6,6 +6,7 @@
     photographs        painted objects, and so what was found, in any light
     hull               where a search for a shape begins
     portrait           the bunny, as pictures
+    small              squares on pixels' centres, a ball cut open: pixel by pixel
     aliasing           a zone plate made smaller in three ways
     msaa               a silhouette with more and more samples in a pixel
     reflections        what a mirror shows: directions, footprints, surroundings

@@ -15,13 +15,14 @@ from labkit import places
 from ..given.whose import Labs, Lacking, exercises_named
 from . import own
 
-SCENES = ("bunny", "aliasing", "msaa", "fit_triangle", "fit_cube", "fit_pose",
+SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_triangle", "fit_cube", "fit_pose",
           "fit_texture", "fit_bunny", "fit_outlines", "rounded", "simplified", "relaxation",
           "large_steps", "shadow", "still_life", "representations", "fit_volume", "reconstruct",
           "paint_and_light")  # in the order of the labs
-FILES = {"bunny": "portrait", "rounded": "levels", "simplified": "levels"}  # others have their name
-SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines",
-        "large_steps", "still_life", "fit_volume", "reconstruct", "paint_and_light")
+FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "rounded": "levels",
+         "simplified": "levels"}  # others have their name
+SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
+        "still_life", "fit_volume", "reconstruct", "paint_and_light")
 TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.photo,
          "rounded": functools.partial(own.surface, most=10_000),
          "simplified": functools.partial(own.shape, most=50_000),

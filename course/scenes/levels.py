@@ -57,7 +57,8 @@ def simplified(labs, out="simplified", shape=None):
 
 def faceted(labs, vertices, faces, eye):
     """A picture (SIZE, SIZE, 3) with one shade for each face."""
-    face_index, _ = labs.rasterization.rasterize(clip_positions(labs, vertices, eye), faces, SIZE, SIZE)
+    clip = clip_positions(labs, vertices, eye)
+    face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
     seen = face_index >= 0
     facing = mesh.face_normals(vertices, faces) @ LIGHT / np.linalg.norm(LIGHT)
     shades = ((0.5 + 0.5 * facing) ** 2)[:, None] * BRASS

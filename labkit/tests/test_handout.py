@@ -70,7 +70,7 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
     assert len(texts) > 40 and len(secret) > 300
 
 
-BEFORE_8 = "transforms", "rasterization", "scanline", "sampling"
+BEFORE_8 = "transforms", "rasterization", "sampling"
 
 
 ONCE = [topic for topic in exercises.topics() if topic not in exercises.lab_topics()]
@@ -139,7 +139,7 @@ def test_a_hand_out_of_the_first_labs_gives_nothing_away():
 def test_extras_are_handed_out_open(tmp_path):
     """--extra is lost on the way to the labs."""
     handout.run(tmp_path / "new", "2", extra=True)
-    for topic in "rasterization", "scanline":
+    for topic in ("rasterization",):
         text = exercises.read(exercises.reference(topic))
         lab = exercises.read(tmp_path / "new" / "labs" / f"{topic}.py")
         assert lab == lab_text.skeleton(text, extra=True) != lab_text.skeleton(text)
@@ -187,7 +187,7 @@ def test_a_hand_out_is_whole(labs, tmp_path, run_module):
     assert re.findall(r"^  ([a-z]+)(?:  +\S| [\[A-Z])", done.stdout, re.MULTILINE) == COMMANDS
     assert (tmp_path / "tests" / "labs" / "hints.json").read_bytes() == hints
     if labs in ("2", "1-4", None):  # the mistake that notebook 00 makes, in a copy
-        assert re.search(r"Next: [\d.]+ rasterize_loop, failing in", done.stdout)
+        assert re.search(r"Next: [\d.]+ rasterize, failing in", done.stdout)
 
 
 def test_nothing_is_overwritten(tmp_path):

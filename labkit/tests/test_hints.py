@@ -335,7 +335,7 @@ MISLED = [
         x0, y0 = np.clip(np.ceil(triangle.min(0) - 0.5), 0, [width, height])
         x1, y1 = np.clip(np.floor(triangle.max(0) + 0.5), 0, [width, height])
         return int(x0), int(y0), int(x1), int(y1)""", "at their corners"),
-    ("rasterization", "rasterize_loop", """\
+    ("rasterization", "rasterize", """\
         clip, faces, width, height = inputs
         index, depth = right(clip, faces[::-1], width, height)  # the last of equally deep ones
         return np.where(index < 0, -1, len(faces) - 1 - index), depth""", "no z-buffer"),

@@ -111,8 +111,8 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
 
 def test_a_lab_without_exercises_that_count_is_not_missed():
     """Full marks, and below them: "nothing could be checked"."""
-    one = graded("ada", missing={"scanline": "there is no labs/scanline.py"})
-    assert "scanline" not in student_page(one) + class_page(one)
+    one = graded("ada", missing={"cube_maps": "there is no labs/cube_maps.py"})
+    assert "cube_maps" not in student_page(one) + class_page(one)
 
 
 def test_a_platform_s_number_has_a_name_beside_it():

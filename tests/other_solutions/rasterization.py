@@ -53,7 +53,8 @@ def cover(p, triangle, z):
 def bounding_box(triangle, width, height):
     # By asking each column and each row.
     def first_and_end(values, size):
-        inside = [k for k in range(size) if min(values) - 1 / 256 <= k + 0.5 <= max(values) + 1 / 256]
+        low, high = min(values) - 1 / 256, max(values) + 1 / 256
+        inside = [k for k in range(size) if low <= k + 0.5 <= high]
         return (inside[0], inside[-1] + 1) if inside else (0, 0)
 
     (x0, x1), (y0, y1) = map(first_and_end, np.transpose(triangle), (width, height))

@@ -3,7 +3,7 @@ a camera.
 """
 import numpy as np
 
-from reference import antialiasing, scanline, transforms
+from reference import antialiasing, rasterization, transforms
 
 
 def camera(eye, at=(0.0, 0.0, 0.0), fov_y=0.8, aspect=1.0, near=0.1, far=10.0):
@@ -20,7 +20,7 @@ def on_screen(x, y, width, height, z=0.0):
 
 def drawn(clip, faces, width, height):
     """What lab 8 asks of a picture: face_index, depth, clip, faces, opposite. And it in white."""
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
+    face_index, depth = rasterization.rasterize(clip, faces, width, height)
     white = (face_index >= 0)[..., None].astype(float)
     return (face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)), white
 

@@ -6,7 +6,7 @@ from screen_scenes import camera
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_equal
-from reference import interpolation, rasterization, scanline, transforms
+from reference import interpolation, rasterization, transforms
 
 
 def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
@@ -32,7 +32,7 @@ def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
     width, height = 40, 30
     positions, faces, clip, eye, clip_from_world = floor(width, height, eye)
     assert (clip[:, 3] < 0).any() == (eye[2] < 1)
-    face_index, _ = scanline.rasterize(clip, faces, width, height)
+    face_index, _ = rasterization.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     got = interpolation.interpolate(positions, faces, face_index, barycentric)
     i, j = np.nonzero(face_index >= 0)

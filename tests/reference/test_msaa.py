@@ -4,7 +4,7 @@ import pytest
 from screen_scenes import on_screen
 
 from course.given import mesh
-from reference import msaa, rasterization, scanline, transforms
+from reference import msaa, rasterization, transforms
 
 
 def flat(colours):
@@ -84,7 +84,7 @@ def test_a_regular_grid_is_a_finer_picture(n):
     """The samples are those of another place, are not 1 / n apart, or in another order."""
     clip, faces = scene(40, 30)
     face_index, depth = msaa.rasterize_samples(clip, faces, 40, 30, msaa.regular_grid(n))
-    fine_index, fine_depth = scanline.rasterize(clip, faces, 40 * n, 30 * n)
+    fine_index, fine_depth = rasterization.rasterize(clip, faces, 40 * n, 30 * n)
 
     def by_sample(picture):
         return picture.reshape(30, n, 40, n).transpose(1, 3, 0, 2).reshape(n * n, 30, 40)
@@ -164,7 +164,7 @@ def test_with_flat_colours_msaa_is_supersampling():
 def test_barycentrics_at_a_centre_are_those_of_lab_2():
     """Corners, faces or pixels are mixed up."""
     clip, faces = scene(40, 30)
-    face_index, _ = scanline.rasterize(clip, faces, 40, 30)
+    face_index, _ = rasterization.rasterize(clip, faces, 40, 30)
     row, column = np.nonzero(face_index >= 0)
     got = msaa.barycentric_at(column + 0.5, row + 0.5, face_index[row, column], clip, faces, 40, 30)
     expected = rasterization.barycentrics(face_index, clip, faces)[row, column]

@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import mipmapping, outlines, pipeline, rasterization, scanline, transforms
+from reference import mipmapping, outlines, pipeline, rasterization, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -336,7 +336,7 @@ def test_a_good_scene_is_rendered():
     assert picture.shape == (4, 5, 2)
     picture, _ = rendered({**GOOD, "width": np.int64(0)})
     assert picture.shape == (4, 0, 2)
-    face_index, _ = scanline.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
+    face_index, _ = rasterization.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
     assert (face_index == -1).all()
 
 

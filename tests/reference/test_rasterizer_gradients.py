@@ -6,8 +6,8 @@ import pytest
 
 from course.given import arrays
 from course.given.gradcheck import gradcheck
+from reference import rasterization, vertex_gradients
 from reference import rasterizer_gradients as gradients
-from reference import scanline, vertex_gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
 GOLDEN = np.load("tests/golden/rasterize_gradients.npz")
@@ -43,7 +43,7 @@ def scene():
     clip = rng.uniform([-2, -2, -1, 0.5], [2, 2, 1, 2.5], (9, 4))
     clip[[2, 7], 3] = -0.7, -0.4
     faces = np.stack([rng.permutation(9)[:3] for _ in range(12)])
-    face_index, _ = scanline.rasterize(clip, faces, 13, 9)
+    face_index, _ = rasterization.rasterize(clip, faces, 13, 9)
     seen = np.unique(face_index)[1:]
     assert len(seen) >= 3 and (clip[faces[seen], 3] < 0).any()
     return clip, faces, face_index, 13, 9
@@ -99,7 +99,7 @@ def test_pixels_without_a_face_and_faces_without_a_pixel_count_for_nothing():
     clip = np.array([[-0.5, -0.5, 0.1, 1.0], [0.6, -0.5, 0.2, 1.0], [0.0, 0.7, 0.3, 1.0],
                      [np.nan, 0.0, 0.0, 1.0], [0.0, 0.0, 0.9, 0.0]])
     faces = np.array([[0, 1, 3], [0, 1, 2], [4, 4, 1]])
-    face_index, _ = scanline.rasterize(clip[:3], faces[1:2], 8, 6)
+    face_index, _ = rasterization.rasterize(clip[:3], faces[1:2], 8, 6)
     face_index = np.where(face_index == 0, 1, -1)
     rng = np.random.default_rng(0)
     upstream = [np.where((face_index >= 0).reshape(6, 8, *[1] * len(shape)),

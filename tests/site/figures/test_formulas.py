@@ -15,7 +15,6 @@ from reference import (
     rasterization,
     rasterizer_gradients,
     sampling,
-    scanline,
     soft_rasterizer,
     sweep_gradient,
     texturing,
@@ -71,8 +70,8 @@ def test_edge_functions(agrees):
     agrees("edge_functions", "edgeFunction", wanted, *edge)
     areas = rasterization.signed_area(triangles)
     agrees("edge_functions", "signedArea", areas, triangles)
-    agrees("edge_functions", "isCovered", each(rasterization.is_covered, p, triangles),
-           p, triangles)
+    covered = [rasterization.cover(*one, np.zeros(3))[0] for one in zip(p, triangles, strict=True)]
+    agrees("edge_functions", "isCovered", covered & (areas > 0), p, triangles)  # no back faces
     solid = p[areas != 0], triangles[areas != 0]
     agrees("edge_functions", "screenWeights", each(rasterization.screen_weights, *solid), *solid)
 
@@ -265,7 +264,7 @@ def outlined():
     points = points[rasterization.signed_area(points) > 0.5]
     clip = [np.column_stack([2 * p / (WIDTH, HEIGHT) - 1, np.zeros(3), np.ones(3)])
             for p in points]
-    seen = [scanline.rasterize(each_clip, FACE, WIDTH, HEIGHT) for each_clip in clip]
+    seen = [rasterization.rasterize(each_clip, FACE, WIDTH, HEIGHT) for each_clip in clip]
     return points, clip, seen, rng.normal(size=(len(points), HEIGHT, WIDTH))
 
 

@@ -1,0 +1,47 @@
+"""Pictures so small that each pixel counts: what larger ones do not show of a rasterizer."""
+import numpy as np
+
+from ..given import mesh, plot
+from .drawing import enlarged, save
+from .viewing import clip_from_world
+
+WIDTH, HEIGHT = 18, 14
+EYE = np.array([-1.3, 0.7, 2.2])
+
+
+def ties(labs):
+    """Squares with corners on pixels' centres: each centre belongs to one face (lab 2)."""
+    corners, faces = squares()
+    clip = np.column_stack([corners / [WIDTH / 2, HEIGHT / 2, 1] - [1, 1, 0], np.ones(12)])
+    face_index, _ = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
+    counts = np.bincount(face_index[face_index >= 0], minlength=6)
+    yield ("left and lower edges own their centres, the first of equally deep faces is seen",
+           save("ties", "face_index", enlarged(plot.face_colours(face_index), 16)),
+           ("29, 28, 10, 18, 28, 36 pixels", counts.tolist() == [29, 28, 10, 18, 28, 36]))
+
+
+def cut(labs):
+    """A ball that the near plane cuts and the far plane closes: one sees into it (lab 2)."""
+    vertices, faces = mesh.icosphere(1280)
+    clip = np.column_stack([vertices, np.ones(len(vertices))]) @ camera(labs).T
+    face_index, depth = labs.rasterization.rasterize(clip, faces, 128, 128)
+    yield ("inside of the hole one sees the back of the ball",
+           save("cut", "face_index", enlarged(plot.face_colours(face_index), 4)))
+    yield ("depth", save("cut", "depth", enlarged(plot.depth_colours(depth), 4)),
+           ("from -1 to 1", (np.abs(depth[face_index >= 0]) <= 1).all()))
+
+
+def squares():
+    """corners (12, 3) in pixels and depth, faces (6, 3): the second square lies upon the first, as
+    deep, and the third, clockwise, before both.
+    """
+    x, y = np.array([[1.5, 9.5, 9.5, 1.5], [1.5, 1.5, 9.5, 9.5]])
+    depth = np.repeat([0.5, 0.5, -0.5], 4)
+    corners = np.column_stack([np.concatenate([x, x + 4, x[::-1] + 7]),
+                               np.concatenate([y, y + 3, y[::-1] - 1]), depth])
+    return corners, np.concatenate([[[0, 1, 2], [0, 2, 3]]] * 3) + np.repeat([0, 4, 8], 2)[:, None]
+
+
+def camera(labs):
+    """clip_from_world (4, 4) of a camera whose near plane cuts the unit ball."""
+    return clip_from_world(labs, EYE, near=1.85)

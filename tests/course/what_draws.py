@@ -1,0 +1,59 @@
+"""Small pictures, gradients and fits of a package's renderer: what a mistake must show in."""
+import numpy as np
+
+from course.given import mesh
+from course.scenes import fit_triangle, small, viewing
+
+RNG = np.random.default_rng(0)
+VERTICES, FACES = mesh.icosphere(320)
+BUMPY = VERTICES * (1 + 0.3 * np.sin(5 * VERTICES[:, :1]))
+COLOURS = RNG.uniform(size=(len(VERTICES), 3))
+IMAGE = RNG.uniform(size=(32, 64, 3))
+SOUP = np.random.default_rng(3).uniform(-1.5, 1.5, (60, 3)) * [1, 1, 0.6]
+FLOOR = np.array([[-3.0, 0, -3], [3, 0, -3], [3, 0, 3], [-3, 0, 3]])
+GROUND = np.array([[0, 2, 1], [0, 3, 2]])
+
+
+def scenes(labs):
+    """{name: (mesh, material, view)}."""
+    draws = labs.pipeline
+    around = np.stack([np.arctan2(BUMPY[:, 0], BUMPY[:, 2]) / (2 * np.pi) + 0.5,
+                       0.7 * BUMPY[:, 1] + 0.5], 1)
+    corners, squares = small.squares()
+    screen = np.array([[2 / small.WIDTH, 0, 0, -1], [0, 2 / small.HEIGHT, 0, -1], [0, 0, 1, 0],
+                       [0, 0, 0, 1]])
+    ball, coloured = draws.make_mesh(BUMPY, FACES), draws.Colours(COLOURS)
+
+    def seen_from(eye, width=40, height=32, **lens):
+        return draws.View(viewing.clip_from_world(labs, np.array(eye), **lens), width, height,
+                          np.array([0.1, 0.2, 0.3]))
+
+    def flat(clip_from_model, width, height):
+        return draws.View(clip_from_model, width, height, np.zeros(3))
+
+    return {
+        "ties": (draws.make_mesh(corners, squares), draws.Colours(COLOURS[:12]),
+                 flat(screen, small.WIDTH, small.HEIGHT)),
+        "cut": (ball, coloured, seen_from(small.EYE, near=1.85)),
+        "ball": (ball, coloured, seen_from([-1.3, 0.7, 2.2])),
+        "textured": (ball, draws.Texture(around, FACES, IMAGE), seen_from([-1.0, 0.4, 1.9])),
+        "floor": (draws.make_mesh(FLOOR, GROUND), draws.Texture(0.4 * FLOOR[:, ::2], GROUND, IMAGE),
+                  seen_from([0.0, 0.5, 2.5])),
+        "inside": (ball, coloured, seen_from([0.1, 0.2, 0.4], near=0.01)),
+        "soup": (draws.make_mesh(SOUP, np.arange(60).reshape(20, 3)), draws.Colours(COLOURS[:60]),
+                 flat(np.eye(4), 24, 16))}
+
+
+def shown(labs):
+    """Yield (what it is, numbers) of all that a package draws, the quickest first."""
+    for name, scene in scenes(labs).items():
+        picture, buffers = labs.pipeline.render(*scene)
+        yield f"the picture {name}", picture
+        goal = np.roll(picture[:, ::-1], 2, 0)
+        grad_picture = labs.inverse_rendering.squared_error_backward(1.0, picture, goal)
+        grads = labs.pipeline.render_backward(grad_picture, buffers, *scene)
+        yield f"the gradients {name}", np.concatenate([
+            np.ravel(part) for part in (grads.positions, grads.clip_from_model, *grads.material)
+            if isinstance(part, np.ndarray)])
+    path, _, _ = fit_triangle.fit(labs, fit_triangle.template(labs), True, steps=12)
+    yield "the fit of a triangle", path[-1]
