@@ -25,7 +25,7 @@ CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
-def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
+def edge_function(p, a, b):  # exercise 2.1 (2 points)
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
     p, a, b (..., 2) broadcast -> e (...).
@@ -86,7 +86,7 @@ def is_inside(p, triangle):  # extra 2.4 (2 points)
     return (e >= 0).all(0) | (e <= 0).all(0)
 
 
-def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
+def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -98,7 +98,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     return (n_x > 0) | ((n_x == 0) & (n_y > 0))
 
 
-def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
+def is_covered(p, triangle):  # exercise 2.6 (2 points)
     """Eq. (2): does the counter-clockwise triangle cover the sample p?
 
     p (..., 2), triangle (3, 2) -> bool (...).
@@ -118,7 +118,7 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     return covered
 
 
-def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
+def screen_weights(p, triangle):  # exercise 2.7 (1 point)
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -185,7 +185,7 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spine
+def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points)
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
