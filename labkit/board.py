@@ -28,19 +28,18 @@ STYLES = {"done": "green", "failing": "red"}
 
 
 def check(target: str | None = None, implementation: str = "labs", json_file: str | None = None,
-          seed: int = 0, pictures: bool = False, extra: bool = False,
-          spine: bool = False) -> int:
+          seed: int = 0, pictures: bool = False, extra: bool = False) -> int:
     """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
-    extra: extras that are closed are checked as well. spine: its exercises alone are checked.
+    extra: extras that are closed are checked as well.
     -> 0 if all that was asked for is done, and nothing of it would be lost in grading, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
-    found = verdicts.run(target, implementation, seed, extra, spine)
+    found = verdicts.run(target, implementation, seed, extra)
     Console(force_jupyter=False).print(table(found.asked))
-    print(*below(found, target, implementation, seed, spine), sep="\n")
+    print(*below(found, target, implementation, seed), sep="\n")
     if pictures:
         open_pictures(found.asked, seed)
     if json_file:
@@ -48,7 +47,7 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
     return int(bool(found.problems or found.losses) or not found.all_is_done)
 
 
-def below(found, target, implementation, seed, spine):
+def below(found, target, implementation, seed):
     """Yield what stands below the table: what was left out or is wrong, and what to do next."""
     if found.closed and target not in [entry.number for entry in found.asked]:
         lab = min(int(number.split(".")[0]) for number in found.closed)
@@ -56,7 +55,7 @@ def below(found, target, implementation, seed, spine):
                f"{COMMAND} open {lab} empties those of lab {lab}")
     yield from ("", *found.problems, *found.broken.values(), *found.warnings)
     if found.all_is_done:
-        yield all_done(found.asked, spine)
+        yield all_done(found.asked)
     if not found.broken and any(entry.told != "done" for entry in found.asked):
         yield next_to_do(found.needed, implementation, seed)
     yield from found.losses
@@ -264,26 +263,26 @@ def open_pictures(board, seed):
     webbrowser.open(file.as_uri())
 
 
-def all_done(board, spine):
+def all_done(board):
     """The points, and what comes next: the rest of the lab, or a later one, or the reward."""
     reached, of = verdicts.points(board)
     return (f"All that was asked for is done, {reached:g} of {plural(of, 'point')}. "
-            f"Next: {coming({entry.number for entry in board}, board[-1].topic, spine)}.")
+            f"Next: {coming({entry.number for entry in board}, board[-1].topic)}.")
 
 
-def coming(done, topic, spine):
+def coming(done, topic):
     """What comes after these exercises, the last of which is of this topic: in its lab, then in
     those after it, then in those before it.
     """
     lab = exercises.lab_number(topic)
     topics = sorted(exercises.asking_topics(), key=lambda one: exercises.lab_number(one) < lab)
     left = next((exercises.lab_number(topic) for topic in topics
-                 for one in exercises.topic_exercises(topic) if one.number not in done
-                 and (one.is_spine if spine else not one.is_extra)), None)
+                 for one in exercises.topic_exercises(topic)
+                 if one.number not in done and not one.is_extra), None)
     if left is None:
         return WHEN_DONE
     if left == lab:
-        return f"{COMMAND} check {lab}{' --spine' * spine}, for the rest of the lab"
+        return f"{COMMAND} check {lab}, for the rest of the lab"
     if left > lab:
         return f"lab {left}, {exercises.LABS[left - 1][0]}"
     return f"{COMMAND} check, for the rest"

@@ -69,8 +69,7 @@ OPENED = option("target", metavar="TARGET",
            help="open a page with all that failed, and pictures"),
     option("--json", metavar="FILE", help="write the board to this file as well"),
     SEED,
-    option("--extra", action="store_true", help="check extras that are not open as well"),
-    option("--spine", action="store_true", help="check the spine alone: the exercises for a week"))
+    option("--extra", action="store_true", help="check extras that are not open as well"))
 def check(asked):
     """Show what is right in labs/, what is not, and what to do next.
 
@@ -79,7 +78,7 @@ def check(asked):
     from . import board
     run = board.watch if asked.watch else board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures, extra=asked.extra, spine=asked.spine)
+               pictures=asked.pictures, extra=asked.extra)
 
 
 @command(DO, "open TARGET", OPENED)
@@ -114,14 +113,12 @@ def pack(asked):
     option("--labs", metavar="1-4", help="hand out these labs; without, all of them"),
     option("--solutions", metavar="1-2", help="and the reference of these"),
     option("--after", metavar="1", help="only what these labs add to a hand-out of those"),
-    option("--extra", action="store_true", help="with the extras open, too"),
-    option("--spine", action="store_true",
-           help="the spine alone: what a week holds, the rest complete"))
+    option("--extra", action="store_true", help="with the extras open, too"))
 def handout(asked):
     """Write what students get: labs, checks, lectures, and no solutions."""
     from .grading.handing import handout
     return handout.run(asked.folder, asked.labs, asked.solutions, extra=asked.extra,
-                       spine=asked.spine, after=asked.after)
+                       after=asked.after)
 
 
 @command(TEACH, "solutions LABS FILE",

@@ -3,7 +3,6 @@
 An exercise is a whole function with a mark on its def line, and nowhere else:
 
     def is_covered(p, triangle):  # exercise 2.6 (2 points)          the core: for all to write
-    def edge_function(p, a, b):  # exercise 2.1 (2 points), spine    the part of it for a week
     def first_column(...):  # extra 2.14 (3 points)          complete in labs/, until it is opened
     def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
@@ -28,7 +27,7 @@ TOPICS = tuple(itertools.chain(*LABS))
 WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do nothing
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
-                  rf"(?(1)({OPEN})?|(, spine)?)")
+                  rf"(?(1)({OPEN})?)")
 ANY_MARK = re.compile(rf"^def .*{MARK.pattern}$", re.MULTILINE)
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
@@ -43,7 +42,6 @@ class Exercise(NamedTuple):
     calls: tuple
     is_extra: bool = False
     is_open: bool = True  # an extra is not, until it is opened: its answer is there
-    is_spine: bool = False
 
 
 def topics() -> tuple[str, ...]:
@@ -84,11 +82,9 @@ def labs_in(part, there):
     return numbers
 
 
-def asked_for(target: str | None, spine: bool = False
-              ) -> tuple[dict[str, list[Exercise]], list[str]]:
+def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]:
     """A lab (2, rasterization), labs (1-4), an exercise (2.3), None for all -> ({topic: its
-    exercises}, the numbers of those that are asked for). spine: of these, the spine's alone.
-    ValueError: there is no such thing.
+    exercises}, the numbers of those that are asked for). ValueError: there is no such thing.
     """
     topics = {topic: str(lab_number(topic)) for topic in asking_topics()}
     several = topics_of(target) if re.search(r"\d[-,]", target or "") else []
@@ -101,19 +97,7 @@ def asked_for(target: str | None, spine: bool = False
         raise ValueError(f'there is no lab or exercise "{target}"; give a lab '
                          f"({', '.join(numbers)}), a file of it ({', '.join(topics)}), or an "
                          "exercise, as in 2.1")
-    if spine:
-        asked = [exercise.number for lab in labs.values() for exercise in lab
-                 if exercise.is_spine and exercise.number in asked]
-        if not asked:
-            raise ValueError(f"{target} has no exercise of the spine; it goes through the labs "
-                             f"{spine_labs()}")
     return labs, asked
-
-
-def spine_labs() -> str:
-    """The labs with exercises of the spine, as `topics_of` takes them: "1,2,5"."""
-    return ",".join(dict.fromkeys(str(lab_number(topic)) for topic in asking_topics()
-                                  if any(one.is_spine for one in topic_exercises(topic))))
 
 
 def lecture(topic: str) -> Path:
@@ -220,7 +204,7 @@ def top_level_functions(text: str) -> tuple[ast.FunctionDef, ...]:
 
 
 def marks(text):
-    """Yield line, number, points, is_extra, is_open, is_spine of every mark.
+    """Yield line, number, points, is_extra, is_open of every mark.
 
     ValueError: a comment that is almost a mark.
     """
@@ -231,8 +215,8 @@ def marks(text):
                 raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; write '
                                  'it like "# exercise 2.1 (2 points)" or "# extra 2.1 (2 points)", '
                                  "or in other words")
-            extra, number, points, opened, spine = mark.groups()
-            yield line, number, int(points), bool(extra), not extra or bool(opened), bool(spine)
+            extra, number, points, opened = mark.groups()
+            yield line, number, int(points), bool(extra), not extra or bool(opened)
 
 
 def require_question_and_answer(lines, function, number):

@@ -15,11 +15,6 @@ class Answer(NamedTuple):
     todo: str  # the line that stands in its place in a lab
 
 
-def spine(text: str) -> str:
-    """A module's text in which what the spine leaves out of the core is extras."""
-    return re.sub(r"# exercise ([\d.]+ \(\d+ points?\))(?!, spine)", r"# extra \1", text)
-
-
 def skeleton(text: str, extra: bool = False) -> str:
     """The lab's text, from the reference's. With extra, its extras are opened.
 

@@ -81,14 +81,12 @@ class Found(NamedTuple):
         return all(entry.verdict == "done" for entry in self.asked)
 
 
-def run(target: str | None, implementation: str, seed: int, extra: bool = False,
-        spine: bool = False) -> Found:
-    """Run the checks of a lab, an exercise or all, and of what these call. spine: of its exercises
-    alone.
+def run(target: str | None, implementation: str, seed: int, extra: bool = False) -> Found:
+    """Run the checks of a lab, an exercise or all, and of what these call.
 
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
-    labs, asked = exercises.asked_for(target, spine)
+    labs, asked = exercises.asked_for(target)
     code = folder(implementation)
     closed = set() if extra else closed_extras(labs, code)
     if not set(asked) - closed:

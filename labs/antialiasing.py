@@ -30,7 +30,7 @@ from .rasterization import edge_function, screen_points
 WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
 
 
-def opposite_vertices(faces):  # exercise 8.1 (3 points), spine
+def opposite_vertices(faces):  # exercise 8.1 (3 points)
     """Which vertex lies across each edge of each face? -1 for none.
 
     faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
@@ -47,7 +47,7 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points), spine
     raise NotImplementedError("exercise 8.1: opposite_vertices")
 
 
-def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points), spine
+def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
     x, y, w (V,) of `screen_points`, all w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds if
@@ -138,7 +138,7 @@ def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 po
     return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
-def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point), spine
+def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
     x0, y0, x1, y1 (...), y0 and y1 different.
@@ -152,7 +152,7 @@ def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point), spine
     raise NotImplementedError("exercise 8.7: crossing")
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 points), spine
+def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 points)
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
@@ -207,7 +207,7 @@ def is_blended(c, is_silhouette, x0, y0, x1, y1):  # extra 8.10 (2 points)
     return is_silhouette & is_steep & (c > -WINDOW) & (c < 1 + WINDOW)
 
 
-def blend_weight(c):  # exercise 8.11 (1 point), spine
+def blend_weight(c):  # exercise 8.11 (1 point)
     """Eq. (4): how far does the blend go, alpha (N,), for edges that cross at c (N,)?
 
     >>> blend_weight(np.array([0.0, 0.25, 1.0]))
@@ -229,7 +229,7 @@ def blend_weight_backward(grad_alpha, c):
     return np.where((0 < c) & (c < 1), -grad_alpha, 0.0)
 
 
-def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points), spine
+def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points)
     """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
 
     Pixels are numbered row * W + column, and a pixel may be in several pairs.
@@ -245,7 +245,7 @@ def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points), spine
     raise NotImplementedError("exercise 8.13: blend")
 
 
-def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (3 points), spine
+def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (3 points)
     """Backward of eq. (5): grad_output (H, W, C) -> grad_colour (H, W, C), grad_alpha (N,).
 
     >>> colour, grad_output = np.array([[[0.0], [1.0]]]), np.array([[[10.0], [100.0]]])

@@ -131,7 +131,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
 
 @has_kernels("compiled_pipeline")
-def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
+def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
          width, height, background):
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
@@ -150,7 +150,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
 
 
 @has_kernels("compiled_pipeline")
-def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points), spine
+def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 

@@ -48,7 +48,7 @@ def edge_normals(corners):  # extra 7.10 (2 points)
     return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES])
 
 
-def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points), spine
+def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points)
     """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
 
     x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The

@@ -31,7 +31,7 @@ def to_homogeneous(points):
     return np.concatenate([points, np.ones_like(points[..., :1])], -1)
 
 
-def transform(points, matrix):  # exercise 1.2 (1 point), spine
+def transform(points, matrix):  # exercise 1.2 (1 point)
     """Eq. (2), one matrix of it: where does it move the points?
 
     points (..., 4), matrix (4, 4) -> (..., 4).
@@ -42,7 +42,7 @@ def transform(points, matrix):  # exercise 1.2 (1 point), spine
     raise NotImplementedError("exercise 1.2: transform")
 
 
-def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points), spine
+def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
     All points share the one matrix, so each adds to grad_matrix.
@@ -86,7 +86,7 @@ def rotate(axis, angle):  # exercise 1.6 (2 points)
     raise NotImplementedError("exercise 1.6: rotate")
 
 
-def look_at(eye, target, up):  # exercise 1.7 (3 points), spine
+def look_at(eye, target, up):  # exercise 1.7 (3 points)
     """Eq. (4): view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
     up (3,) points roughly upwards.
@@ -138,7 +138,7 @@ def frustum_sides(fov_y, aspect, near):  # extra 1.10 (2 points)
     return -r, r, -t, t
 
 
-def frustum(l, r, b, t, near, far):  # exercise 1.11 (2 points), spine
+def frustum(l, r, b, t, near, far):  # exercise 1.11 (2 points)
     """Eq. (6): clip_from_view (4, 4) of a camera that sees l to r and b to t of its near plane.
 
     >>> frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0)
@@ -174,7 +174,7 @@ def perspective_divide(clip):  # exercise 1.13 (1 point)
     raise NotImplementedError("exercise 1.13: perspective_divide")
 
 
-def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (3 points), spine
+def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (3 points)
     """Backward of eq. (7): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
     >>> perspective_divide_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]))

@@ -134,7 +134,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points), spine
+def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.

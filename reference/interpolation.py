@@ -74,7 +74,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
+def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
@@ -86,7 +86,7 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     return c / c.sum(-1, keepdims=True)
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
+def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
     The three weights lie along the axis, and s broadcasts with them.
@@ -122,7 +122,7 @@ def barycentric_from_screen_derivatives(de, e, w):
     return normalize_derivative(de / w[..., None], b, s, axis=-2)
 
 
-def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points), spine
+def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
     faces (F, 3), face_index (H, W), barycentric (H, W, 3).
@@ -140,7 +140,7 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
     return output
 
 
-def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points), spine
+def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points)
                               faces, face_index, barycentric):
     """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.
 

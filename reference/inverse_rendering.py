@@ -31,7 +31,7 @@ def squared_error(picture, target):
     return ((picture - target)**2).mean()
 
 
-def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point), spine
+def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point)
     """Backward of eq. (2): grad_loss, a number -> grad_picture, of the picture's shape.
 
     >>> squared_error_backward(10.0, np.array([[1.0, 2.0, 3.0, 8.0]]), np.array([[1.0, 0, 3, 4]]))
@@ -40,7 +40,7 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
     return grad_loss * 2 * (picture - target) / picture.size
 
 
-def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points), spine
+def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
@@ -182,7 +182,7 @@ def rotation_angle(p, q):  # extra 9.7 (2 points)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
-def silhouette_loss(coverage, target):  # exercise 9.8 (1 point), spine
+def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
     """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
 
     coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered.
@@ -199,7 +199,7 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (1 point), spine
     return 1 - both / either
 
 
-def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points), spine
+def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points)
     """Backward of eq. (4): grad_loss, a number -> grad_coverage, of coverage's shape.
 
     >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])

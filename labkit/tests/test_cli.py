@@ -23,7 +23,7 @@ def stand_in(monkeypatch):
     return put
 
 
-BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine": False}
+BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
@@ -35,7 +35,6 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("check", "board.check", (None, "labs"), BOARD),
     ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
      ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
-    ("check --spine", "board.check", (None, "labs"), BOARD | {"spine": True}),
     ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
@@ -50,9 +49,9 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
     ("pack", "grading.handing.pack.run", ("labs.zip",), {}),
     ("handout new --labs 1-4 --solutions 1", "grading.handing.handout.run", ("new", "1-4", "1"),
-     {"extra": False, "spine": False, "after": None}),
+     {"extra": False, "after": None}),
     ("handout new --labs 2 --after 1 --extra", "grading.handing.handout.run", ("new", "2", None),
-     {"extra": True, "spine": False, "after": "1"}),
+     {"extra": True, "after": "1"}),
     ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
     ("autograder a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "

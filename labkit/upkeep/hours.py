@@ -3,10 +3,9 @@
     hours = words of the lecture / 75 a minute + 1 minute a figure + 6 minutes a point of the core
 
 Sections and pages that no core exercise needs are marked as further reading, and do not count, nor
-do "On paper" and the sources. Of the spine count its exercises, and the sections that a lecture
-names for it. The three numbers are a rule, not a measurement of readers: change them here when a
-class was measured. README.md and notebook 00 print what comes out. A test
-tells when they are behind. This command updates them:
+do "On paper" and the sources. The three numbers are a rule, not a measurement of readers: change
+them here when a class was measured. README.md and notebook 00 print what comes out. A test tells
+when they are behind. This command updates them:
 
     python3 -m labkit.upkeep.hours
 """
@@ -21,7 +20,6 @@ WORDS_A_MINUTE = 75
 MINUTES_A_FIGURE = 1
 MINUTES_A_POINT = 6
 LEFT = "*Further reading", "## On paper", "## Sources"
-SPINE = re.compile(r"\*\*The spine\*\* needs sections (.*?)\.")
 
 
 def sections(path):
@@ -38,14 +36,6 @@ def sections(path):
             took = len(part.split()) / WORDS_A_MINUTE + MINUTES_A_FIGURE * figures
             minutes[title] = minutes.get(title, 0) + (0 if left else took)
     return minutes
-
-
-def spine_sections(path):
-    """The numbers of the sections that a lecture names for the spine: "2 to 4 and 8" -> 2, 3, 4, 8.
-    """
-    named = SPINE.search(exercises.cells(path)[0])
-    return [number for first, last in re.findall(r"(\d+)(?: to (\d+))?", named[1] if named else "")
-            for number in range(int(first), int(last or first) + 1)]
 
 
 def core(lab):
@@ -66,25 +56,20 @@ def hours(lab: int) -> float:
     return round((read + MINUTES_A_POINT * points) / 30) / 2
 
 
-def spine_hours() -> int:
-    """What the spine takes, its sections of the lectures and its exercises, in whole hours."""
-    labs = range(1, len(exercises.LABS) + 1)
-    points = sum(exercise.points for lab in labs for exercise in core(lab) if exercise.is_spine)
-    read = sum(minutes for path in dict.fromkeys(map(exercises.lecture, exercises.TOPICS))
-               for title, minutes in sections(path).items()
-               if title.partition(".")[0] in map(str, spine_sections(path)))
-    return round((read + MINUTES_A_POINT * points) / 60)
+def told(labs) -> str:
+    """How many exercises the core of these labs has, and how long they take."""
+    return (f"{sum(len(core(lab)) for lab in labs)} exercises, about "
+            f"{sum(map(hours, labs)):.0f} hours")
 
 
 def updated(text: str) -> str:
     """A page with the numbers as they are now, in its table of labs and in its sentences."""
-    labs = range(1, len(exercises.LABS) + 1)
-    whole = [exercise for lab in labs for exercise in core(lab)]
-    for part, hours_of_it in (whole, sum(map(hours, labs))), (
-            [exercise for exercise in whole if exercise.is_spine], spine_hours()):
-        name = r"The core|\*\*A term\*\*" if part is whole else r"The spine|\*\*A week\*\*"
-        text = re.sub(rf"((?:{name}) is [^.:]*?)\d+ exercises, about \d+ hours",
-                      rf"\g<1>{len(part)} exercises, about {hours_of_it:.0f} hours", text)
+    whole = range(1, len(exercises.LABS) + 1)
+    text = re.sub(r"((?:The core|A term\*\*) is )\d+ exercises, about \d+ hours",
+                  lambda found: found[1] + told(whole), text)
+    text = re.sub(r"(A week\S* is )\d+ exercises, about \d+ hours([^.]*: labs ([\d, and]+))",
+                  lambda found: found[1] + told([*map(int, re.findall(r"\d+", found[3]))])
+                  + found[2], text)
     return re.sub(r"(\| (\d+) \| \[.*\| )[\d.]+ \|",
                   lambda row: f"{row[1]}{hours(int(row[2])):g} |", text)
 

@@ -47,7 +47,7 @@ def page(get, lite):
     """The front page's text. ValueError or AttributeError: README.md lacks a number."""
     readme = exercises.read(ROOT / "README.md")
     numbers = {name: re.search(rf"{span}\W+ is (\d+) exercises, about (\d+) hours", readme).groups()
-               for name, span in (("spine", "A week"), ("core", "A term"))}
+               for name, span in (("week", "A week"), ("core", "A term"))}
     return exercises.read(Path(__file__).with_name("front.md")).format(
         labs=len(exercises.LABS), get=get, lite=LITE if lite else "", film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)

@@ -14,9 +14,8 @@ from .sources_text import as_myst, docstring, escape, first_sentence, inline, ta
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core, and those of the spine, in bold, are enough for a week: "
-         "`python3 -m course check --spine`. Extras, in italics, go further: they are complete "
-         "until `python3 -m course open 1.8` empties one.")
+         "lab 1. Exercises are the core. Extras, in italics, go further: they are complete until "
+         "`python3 -m course open 1.8` empties one.")
 
 
 def write(folder):

@@ -37,12 +37,12 @@ def lab_title(lab):
 
 
 def kind(exercise):
-    return "extra" if exercise.is_extra else "spine" if exercise.is_spine else "core"
+    return "extra" if exercise.is_extra else "core"
 
 
 def mark(exercise):
     name = "extra" if exercise.is_extra else "exercise"
-    return f"{name} {exercise.number} ({points(exercise.points)}){', spine' * exercise.is_spine}"
+    return f"{name} {exercise.number} ({points(exercise.points)})"
 
 
 def points(count):

@@ -24,10 +24,9 @@ TEACHERS = {f"labkit/upkeep/{name}.py" for name in (
     "changes", "mistakes", "mutants", "mutations", "trials")}
 
 
-def run(folder, labs=None, solutions=None, extra=False, spine=False, after=None) -> int:
+def run(folder, labs=None, solutions=None, extra=False, after=None) -> int:
     """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
-    spine: of the spine's labs, in which the rest of the core is extras. after: only what these labs
-    add to a hand-out of those, see `new`.
+    after: only what these labs add to a hand-out of those, see `new`.
 
     ValueError: the folder is not empty, solutions are of a lab that is not handed out, or a lab is
     in the earlier hand-out.
@@ -35,13 +34,13 @@ def run(folder, labs=None, solutions=None, extra=False, spine=False, after=None)
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
-    asked = topics_of(labs, spine)
+    asked = exercises.topics_of(labs)
     released = exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
-    options = released, extra, spine
-    content = new(asked, after, *options) if after else dict(files(asked, *options))
+    content = (new(asked, after, released, extra) if after
+               else dict(files(asked, released, extra)))
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -61,35 +60,23 @@ def tell(folder, asked, released, after, content):
               "there, and replaces none")
 
 
-def topics_of(labs, spine):
-    """The topics of labs, or without, of all, or of the spine. ValueError: a lab has nothing of it.
-    """
-    if not spine:
-        return exercises.topics_of(labs)
-    its = exercises.spine_labs()
-    asked = exercises.topics_of(labs or its)
-    if others := set(asked) - set(exercises.topics_of(its)):
-        raise ValueError(f"{min(others)} has no exercise of the spine: name in --labs only {its}")
-    return asked
-
-
 def came_along(asked):
     """The topics that these need, and that are not among them: they are handed out complete."""
     return [topic for topic in needed(asked) if topic not in asked]
 
 
-def new(asked, after, released, extra, spine):
+def new(asked, after, released, extra):
     """{name: bytes} of what topics add to a hand-out of the labs after. None of it is there yet.
 
     ValueError: a topic is there yet, perhaps complete.
     """
-    earlier = topics_of(after, spine)
-    there = dict(files(earlier, [], extra, spine))
+    earlier = exercises.topics_of(after)
+    there = dict(files(earlier, [], extra))
     if again := [topic for topic in asked if f"labs/{topic}.py" in there]:
         complete = "" if again[0] in earlier else ", complete, as its labs use it"
         raise ValueError(f"a hand-out of labs {after} has labs/{again[0]}.py already{complete}: "
                          "name in --labs only labs that it does not have")
-    return {name: part for name, part in files([*earlier, *asked], released, extra, spine)
+    return {name: part for name, part in files([*earlier, *asked], released, extra)
             if name not in there}
 
 
@@ -105,7 +92,7 @@ def release(labs, path) -> int:
     return 0
 
 
-def files(asked, released, extra, spine):
+def files(asked, released, extra):
     """Yield (name, bytes) of all that is handed out."""
     patterns = [*WHOLE, *(pattern for topic, pattern in WITH_LABS.items() if topic in asked)]
     patterns += ["reference/__init__.py"] if released else []
@@ -113,7 +100,7 @@ def files(asked, released, extra, spine):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
             yield name, path.read_bytes()
-    yield from labs_of(asked, released, extra, spine)
+    yield from labs_of(asked, released, extra)
     for topic in came_along(asked):
         path = exercises.reference(topic)
         name = f"labs/{topic}.py" if path.parent.name == "reference" else places.shown_path(path)
@@ -125,14 +112,13 @@ def files(asked, released, extra, spine):
         yield f"notebooks/{path.name}", unlinked(text, asked).encode()
         for opening in path.parent.glob(f"openings/{path.stem}.png"):
             yield f"notebooks/openings/{opening.name}", opening.read_bytes()
-    yield "README.md", readme(asked, released, spine).encode()
+    yield "README.md", readme(asked, released).encode()
 
 
-def labs_of(asked, released, extra, spine):
+def labs_of(asked, released, extra):
     """Yield (name, bytes) of what belongs to each topic that is asked for."""
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        text = lab_text.spine(text) if spine else text
         lab = lab_text.skeleton(text, extra).encode("utf-8")
         yield f"labs/{topic}.py", lab
         yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
@@ -143,9 +129,9 @@ def labs_of(asked, released, extra, spine):
             yield f"reference/{topic}.py", text.encode("utf-8")
 
 
-def readme(asked, released, spine):
+def readme(asked, released):
     first = next(exercise for topic in asked for exercise in exercises.topic_exercises(topic)
-                 if (exercise.is_spine if spine else not exercise.is_extra))
+                 if not exercise.is_extra)
 
     def listed(topics):
         return ", ".join(f"`{topic}`" for topic in topics)
@@ -153,10 +139,6 @@ def readme(asked, released, spine):
     labs = itertools.groupby(asked, exercises.lab_number)
     files = [f"    lab {lab:<4}{', '.join(f'{topic}.py' for topic in its)}" for lab, its in labs]
     about = "\n".join(["    the files in labs/", *files])
-    if spine:
-        about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
-                  "to a fit. The other core exercises come complete, as extras do. If a lecture "
-                  "names an exercise that `check` does not list, its answer is there already.")
     if given := came_along(asked):
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
