@@ -56,7 +56,7 @@ def below(found, target, implementation, seed):
     yield from ("", *found.problems, *found.broken.values(), *found.warnings)
     if found.all_is_done:
         yield all_done(found.asked)
-    if not found.broken and any(entry.told != "done" for entry in found.asked):
+    if not found.broken and any(entry.told != "done" for entry in not_passed_by(found.asked)):
         yield next_to_do(found.needed, implementation, seed)
     yield from found.losses
 
@@ -117,7 +117,8 @@ def table(board):
         if entry.topic != topic:
             topic = entry.topic
             rows.add_row("", f"{topic}.py", style="dim")
-        worth = "extra" if entry.extra else f"{entry.reached:g} of {entry.points}"
+        worth = f"{entry.reached:g} of {entry.points}" if entry.points else "step"
+        worth = "extra" if entry.extra else worth
         rows.add_row(f"{entry.number:>5}", entry.name, worth, entry.told,
                      style=STYLES.get(entry.verdict))
     return rows
@@ -136,14 +137,14 @@ def next_to_do(entries, implementation, seed):
 
     The fine print comes when there is nothing else to do.
     """
-    entries = in_lecture_order(entries)
+    entries = not_passed_by(entries)
     undone = [entry for entry in entries if entry.verdict != "done"]
     ready = [entry for entry in undone if not entry.blocked_by]
     entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
     lines = [headline(entry, wrong)]
-    if entry.verdict == "failing" and entry.checks and not entry.extra:
+    if entry.verdict == "failing" and entry.claims[1] and not entry.extra:
         lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
@@ -162,6 +163,20 @@ def also(wrong):
         more = [f"{len(others) - MOST_CLAIMS} more"] if len(others) > MOST_CLAIMS else []
         if others and wrong[0].verdict == "failed":
             yield "fails too", "; ".join([*others[:MOST_CLAIMS], *more])
+
+
+def not_passed_by(entries):
+    """The entries in a lecture's order, without steps that a student has passed by: not begun,
+    though what comes after them is, and nothing waits for them.
+    """
+    kept, waiting, begun = [], {entry.blocked_by for entry in entries}, False
+    for entry in reversed(in_lecture_order(entries)):
+        is_open = entry.points or entry.verdict != "not started" or entry.number in waiting
+        if is_open or not begun:
+            kept.insert(0, entry)
+        if entry.points:
+            begun = entry.verdict != "not started"
+    return kept
 
 
 def in_lecture_order(entries):
@@ -239,7 +254,7 @@ def sections(*paths):
 
 def numbers_in(line):
     """Yield the numbers in a line that says which exercises a section leads to, as 7.10 to 7.16."""
-    for part in re.findall(r"\*(?:Exercise|Extra)s? \d.*|\((?:`\w+`, )?extra \d[^)]*", line):
+    for part in re.findall(r"\*(?:Exercise|Step|Extra)s? \d.*|\((?:`\w+`, )?extra \d[^)]*", line):
         for lab, first, last in re.findall(r"(\d+)\.(\d+)(?: to (?:\d+\.)?(\d+))?", part):
             yield from (f"{lab}.{k}" for k in range(int(first), int(last or first) + 1))
 
@@ -266,7 +281,8 @@ def open_pictures(board, seed):
 def all_done(board):
     """The points, and what comes next: the rest of the lab, or a later one, or the reward."""
     reached, of = verdicts.points(board)
-    return (f"All that was asked for is done, {reached:g} of {plural(of, 'point')}. "
+    worth = f", {reached:g} of {plural(of, 'point')}" if of else ""
+    return (f"All that was asked for is done{worth}. "
             f"Next: {coming({entry.number for entry in board}, board[-1].topic)}.")
 
 
@@ -278,7 +294,7 @@ def coming(done, topic):
     topics = sorted(exercises.asking_topics(), key=lambda one: exercises.lab_number(one) < lab)
     left = next((exercises.lab_number(topic) for topic in topics
                  for one in exercises.topic_exercises(topic)
-                 if one.number not in done and not one.is_extra), None)
+                 if one.points and one.number not in done and not one.is_extra), None)
     if left is None:
         return WHEN_DONE
     if left == lab:

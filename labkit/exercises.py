@@ -3,6 +3,7 @@
 An exercise is a whole function with a mark on its def line, and nowhere else:
 
     def is_covered(p, triangle):  # exercise 2.6 (2 points)          the core: for all to write
+    def edge_function(p, a, b):  # step 2.1                  on the way there, without points
     def first_column(...):  # extra 2.14 (3 points)          complete in labs/, until it is opened
     def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
@@ -26,10 +27,10 @@ from .table import COMPLETE, LABS
 TOPICS = tuple(itertools.chain(*LABS))
 WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do nothing
 OPEN = ", open"  # the end of an opened extra's mark
-MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
-                  rf"(?(1)({OPEN})?)")
+MARK = re.compile(r"# (?:(step)|exercise|(extra)) ([1-9]\d*\.[1-9]\d*)"
+                  rf"(?(1)| \(([1-9]\d*) points?\)(?(2)({OPEN})?))")
 ANY_MARK = re.compile(rf"^def .*{MARK.pattern}$", re.MULTILINE)
-MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
+MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d|step \d+\.\d)", re.IGNORECASE)
 
 
 class Exercise(NamedTuple):
@@ -37,7 +38,7 @@ class Exercise(NamedTuple):
 
     number: str
     name: str
-    points: int
+    points: int  # 0: a step, which is checked and gives none
     line: int
     calls: tuple
     is_extra: bool = False
@@ -183,9 +184,6 @@ def text_exercises(text: str) -> tuple[Exercise, ...]:
         if number in found:
             raise ValueError(f"line {line}: exercise {number} is there already, on line "
                              f"{found[number].line}; give every exercise its own number")
-        if points < 1:
-            raise ValueError(f"line {line}: exercise {number} has {points} points; "
-                             "give it 1 or more")
         require_question_and_answer(lines, functions[line], number)
         found[number] = Exercise(number, functions[line].name, points, line, (), *kind)
     needs = calls(text, [exercise.name for exercise in found.values()])
@@ -213,10 +211,10 @@ def marks(text):
             mark, line = MARK.fullmatch(token.string), token.start[0]
             if not mark:
                 raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; write '
-                                 'it like "# exercise 2.1 (2 points)" or "# extra 2.1 (2 points)", '
-                                 "or in other words")
-            extra, number, points, opened = mark.groups()
-            yield line, number, int(points), bool(extra), not extra or bool(opened)
+                                 'it like "# exercise 2.1 (2 points)", "# extra 2.1 (1 point)" or '
+                                 '"# step 2.1", or in other words')
+            _, extra, number, points, opened = mark.groups("")
+            yield line, number, int(points or 0), bool(extra), bool(opened) or not extra
 
 
 def require_question_and_answer(lines, function, number):

@@ -27,7 +27,7 @@ class Entry(NamedTuple):
     number: str
     name: str
     topic: str
-    points: int
+    points: int  # 0: a step
     extra: bool
     verdict: str  # done, failing, not run, not started, blocked by 2.1, not readable
     fine_print_open: bool  # it is done, and a check of its fine print does not pass
@@ -62,7 +62,8 @@ class Entry(NamedTuple):
     def told_points(self, reached: float) -> str:
         """A sentence on so many points: 2 of 3 points: 4 of 5 claims hold."""
         hold, of = self.claims
-        return f"{reached:g} of {plural(self.points, 'point')}: {hold} of {of} claims hold"
+        told = f"{reached:g} of {plural(self.points, 'point')}: " if self.points else ""
+        return f"{told}{hold} of {of} claims hold"
 
 
 class Found(NamedTuple):
@@ -78,7 +79,9 @@ class Found(NamedTuple):
 
     @property
     def all_is_done(self) -> bool:
-        return all(entry.verdict == "done" for entry in self.asked)
+        """Whether all exercises are done. Steps count where nothing else was asked for."""
+        asked = [entry for entry in self.asked if entry.points] or self.asked
+        return all(entry.verdict == "done" for entry in asked)
 
 
 def run(target: str | None, implementation: str, seed: int, extra: bool = False) -> Found:

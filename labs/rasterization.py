@@ -23,7 +23,7 @@ CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
-def edge_function(p, a, b):  # exercise 2.1 (1 point)
+def edge_function(p, a, b):  # step 2.1
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
     p, a, b (..., 2) broadcast -> e (...).
@@ -52,7 +52,7 @@ def signed_area(triangle):
     return (x1 * y2 - x2 * y1) / 2
 
 
-def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
+def is_top_left(n_x, n_y):  # step 2.5
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -64,7 +64,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     raise NotImplementedError("exercise 2.5: is_top_left")
 
 
-def screen_weights(p, triangle):  # exercise 2.7 (1 point)
+def screen_weights(p, triangle):  # step 2.7
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.

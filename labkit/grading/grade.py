@@ -29,7 +29,7 @@ def run(request: Request) -> int:
     limits = limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
-               if request.extra or not exercise.is_extra]
+               if exercise.points and (request.extra or not exercise.is_extra)]
     handed_in, persons, not_understood = read(request, topics)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]

@@ -9,9 +9,9 @@ def spoilt():
 
 
 def exercise_text(number, name, question, *answer, points=1, inputs="x", kind="exercise"):
-    """A function that is an exercise, below two blank lines."""
-    worth = f"{points} point{'s' * (points != 1)}"
-    return "\n".join(["", "", f"def {name}({inputs}):  # {kind} {number} ({worth})",
+    """A function that is an exercise, below two blank lines. points 0: it is a step."""
+    mark = f"{kind} {number} ({points} point{'s' * (points != 1)})" if points else f"step {number}"
+    return "\n".join(["", "", f"def {name}({inputs}):  # {mark}",
                       f'    """{question}"""', *(f"    {line}" for line in answer), ""])
 
 

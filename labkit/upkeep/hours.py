@@ -39,7 +39,7 @@ def sections(path):
 
 
 def core(lab):
-    """The core exercises of a lab, whose number is given."""
+    """The core exercises of a lab, whose number is given, and its steps."""
     return [exercise for topic in exercises.LABS[lab - 1]
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
 
@@ -58,8 +58,8 @@ def hours(lab: int) -> float:
 
 def told(labs) -> str:
     """How many exercises the core of these labs has, and how long they take."""
-    return (f"{sum(len(core(lab)) for lab in labs)} exercises, about "
-            f"{sum(map(hours, labs)):.0f} hours")
+    count = sum(bool(exercise.points) for lab in labs for exercise in core(lab))
+    return f"{count} exercises, about {sum(map(hours, labs)):.0f} hours"
 
 
 def updated(text: str) -> str:

@@ -14,8 +14,9 @@ from .sources_text import as_myst, docstring, escape, first_sentence, inline, ta
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core. Extras, in italics, go further: they are complete until "
-         "`python3 -m course open 1.8` empties one.")
+         "lab 1. Exercises are the core. A step is on the way to one, and gives no points. Extras, "
+         "in italics, go further: they are complete until `python3 -m course open 1.8` empties one."
+         )
 
 
 def write(folder):
@@ -31,10 +32,10 @@ def summary(course, lab):
     readme = exercises.read(places.ROOT / "README.md")
     built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme, re.M).groups()
     found = course.lectures[lab].asked.values()
-    core = [exercise for exercise in found if not exercise.is_extra]
+    core = [exercise for exercise in found if kind(exercise) == "core"]
     return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
             f"exercises ({points(sum(exercise.points for exercise in core))}) and "
-            f"{len(found) - len(core)} extras.\n")
+            f"{sum(exercise.is_extra for exercise in found)} extras.\n")
 
 
 def index(course):
@@ -82,7 +83,7 @@ def overview(course, asked):
         module, node = module_and_node(course, name)
         link, question = f'<a href="#{anchor(exercise.number)}">', ast.get_docstring(node)
         rows.append([f"{link}{exercise.number}</a>", f"{link}<code>{exercise.name}</code></a>",
-                     str(exercise.points),
+                     str(exercise.points or ""),
                      f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
                      inline(course, module, first_sentence(question), {*bound(node)})])
     return table("overview", ["number", "function", "points", "kind", "question"], rows)

@@ -37,10 +37,12 @@ def lab_title(lab):
 
 
 def kind(exercise):
-    return "extra" if exercise.is_extra else "core"
+    return "extra" if exercise.is_extra else "core" if exercise.points else "step"
 
 
 def mark(exercise):
+    if not exercise.points:
+        return f"step {exercise.number}"
     name = "extra" if exercise.is_extra else "exercise"
     return f"{name} {exercise.number} ({points(exercise.points)})"
 

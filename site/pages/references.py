@@ -23,7 +23,7 @@ PLACE = re.compile(
     r"|(?<![\w)])\((?P<equation>[1-9]\d?)\)")  # 22(4) is a volume of a journal
 BEFORE = re.compile(r"[Ll]ecture (\d+b?)(?:, |['\u2019]s )(?:equation )?$")
 BEHIND = re.compile(r" of lecture (\d+b?)")
-ANNOUNCED = re.compile(r"(?:Exercises?|Extras?) \d")
+ANNOUNCED = re.compile(r"(?:Exercises?|Steps?|Extras?) \d")
 EXERCISE = re.compile(r"\b\d+\.\d+\b")
 EVERYDAY = set(  # words of another meaning, too: they are links where the glossary leads
     "chart crossing fan filter flip fused kernel lattice mass owner picture pixel shade steep "

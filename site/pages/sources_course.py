@@ -158,7 +158,7 @@ def announcements(texts, asked):
     for paragraph in (paragraph for text in texts for paragraph in text.split("\n\n")):
         title = re.match(r"#+ (.*)", paragraph)
         heading = title[1] if title else heading
-        if re.search(r"\*(Exercise|Extra)s? \d", paragraph):
+        if re.search(r"\*(Exercise|Step|Extra)s? \d", paragraph):
             for exercise in asked:
                 named = re.search(rf"(?<![\d.]){re.escape(exercise.number)}(?!\d)", paragraph)
                 if named and f"`{exercise.name}`" in paragraph:

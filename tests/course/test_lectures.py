@@ -105,7 +105,7 @@ def test_each_core_exercise_stands_where_the_text_reaches_it(lab):
     """An exercise that the lecture forgets, asks twice, or does not check."""
     core = {exercise.number for exercise in hours.core(lab)}
     text = "\n".join(map(text_of, hours.pages(lab)))
-    lines = re.findall(r"^\*\*Exercises? .*", text, re.MULTILINE)
+    lines = re.findall(r"^\*\*(?:Exercise|Step)s? .*", text, re.MULTILINE)
     named = re.findall(rf"\b{lab}\.\d+\b", "\n".join(line.partition("*Extra")[0] for line in lines))
     assert sorted(named) == sorted(core)
     shown = re.findall(r'^board\.show\("([\d.]+)"\)$', "\n".join(

@@ -1,5 +1,6 @@
 """What earlier runs left in the same folder: nobody falls out of the tables."""
 from ..apart import typed_json
+from . import worth
 from .records import Record
 
 
@@ -38,7 +39,7 @@ def read(path) -> Record | None:
 
 def fits(record, columns):
     """Whether a record has what the tables show."""
-    points = {entry.number: entry.points for entry in record.result.entries} if record else {}
+    points = {one.number: one.points for one in worth.counting(record)} if record else {}
     return bool(record) and (not points or points == {one.number: one.points for one in columns})
 
 

@@ -14,10 +14,15 @@ def points(record: Record) -> dict[str, float]:
                       if what not in ("total", "late")}
 
 
+def counting(record: Record) -> list:
+    """The entries that give points: all but steps."""
+    return [entry for entry in record.result.entries if entry.points]
+
+
 def by_checks(record):
     """{exercise: points}, as the checks give them."""
     return {entry.number: 0 if record.all_or_nothing and entry.verdict != "done" else entry.reached
-            for entry in record.result.entries}
+            for entry in counting(record)}
 
 
 def is_graded(record: Record) -> bool:
@@ -68,13 +73,13 @@ def figures(record):
 
 def open_fine_print(record: Record) -> list[str]:
     """The exercises that are done, but for their fine print."""
-    return [entry.number for entry in record.result.entries
+    return [entry.number for entry in counting(record)
             if entry.fine_print_open and not record.result.problem]
 
 
 def fine_print(record: Record) -> tuple[int, int]:
     """-> (exercises whose fine print is right as well, exercises that have any)."""
-    having = [entry for entry in record.result.entries if not record.result.problem
+    having = [entry for entry in counting(record) if not record.result.problem
               and any(check.fine_print for check in entry.checks)]
     right = [entry for entry in having if entry.verdict == "done" and not entry.fine_print_open]
     return len(right), len(having)

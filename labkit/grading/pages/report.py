@@ -8,7 +8,7 @@ import re
 from ...checks import page as html
 from ..gradebook.records import Record
 from ..gradebook.sheets import number_text
-from ..gradebook.worth import after_lateness, by_checks, points, sentences
+from ..gradebook.worth import after_lateness, by_checks, counting, points, sentences
 
 IMPORT = "cannot be imported"  # so `examine` says of a lab
 
@@ -27,7 +27,7 @@ def page(record: Record, pictures, about) -> str:
     for entry in result.entries:
         if needs_a_part(entry, record):
             lost = result.lost.get(entry.number)
-            got = by_checks(record)[entry.number]
+            got = by_checks(record).get(entry.number)
             parts += html.exercise_part(entry, got, lost, pictures, how.seed)
     parts += ["<h2>How this was found</h2>", html.paragraph(
         f"Isolation {how.level} ({about}); seed {how.seed}; {result.seconds:.1f} s; "
@@ -69,11 +69,11 @@ def board_table(entries, reached):
     lines = []
     for topic, each in itertools.groupby(entries, key=lambda entry: entry.topic):
         lab = list(each)
-        got = sum(reached[entry.number] for entry in lab)
+        got = sum(reached.get(entry.number, 0) for entry in lab)
         of = sum(entry.points for entry in lab)
         lines.append(["", html.Markup(f"<strong>{topic}</strong>"), got, of, html.bar(got, of)])
-        lines += [[entry.number, entry.name, reached[entry.number],
-                   entry.points, html.coloured(entry.told)] for entry in lab]
+        lines += [[entry.number, entry.name, reached.get(entry.number, ""),
+                   entry.points or "step", html.coloured(entry.told)] for entry in lab]
     return html.rows(lines, ["", "", "points", "of", ""])
 
 
@@ -85,7 +85,7 @@ def gradescope(record: Record, about) -> dict:
             "output": "\n".join([*sentences(record), *record.work.notes, about]),
             "output_format": "text", "execution_time": round(record.result.seconds),
             "stdout_visibility": "hidden",
-            "tests": [gradescope_test(entry, reached) for entry in record.result.entries]}
+            "tests": [gradescope_test(entry, reached) for entry in counting(record)]}
 
 
 def gradescope_test(entry, reached):
