@@ -88,10 +88,10 @@ def cover(p, triangle, z):  # exercise 2.6 (6 points)
     >>> cover(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle, z)
     (array([ True,  True, False]), array([0.1, 0.2, 0.6]))
 
-    Fine print. Exactly one of two neighbours covers a sample on their edge: let an edge's function
-    be its negative, to the last bit, when its ends are swapped, and exactly 0 at both. Depths of
-    exactly -1 and 1 are covered, too: eq. (4) is exact where all three z are equal, and
-    sum l_k z_k is not. A face without area covers nothing.
+    Fine print. Exactly one of two neighbours covers a sample on their edge: an edge's function is
+    its negative, to the last bit, when its ends are swapped, and exactly 0 at both. Depths of -1
+    and 1 are covered, too: eq. (4) is exact where all z are equal, and sum l_k z_k is not. A face
+    without area covers nothing.
     """
     raise NotImplementedError("exercise 2.6: cover")
 

@@ -1,10 +1,12 @@
-"""What is only faster than a module of reference: its loops as kernels, on all cores. No exercise.
+"""What is only faster than a module of reference: whole rows, kernels on all cores. No exercise.
 
-A kernel asks for arrays and decides nothing that a module of reference does not. These modules are
+What stands here decides nothing that a module of reference does not, and is tried against it: by
+tests, and scanline against what a student wrote (course/given/faster.py). These modules are
 imported as those of course/complete are, `from reference import face_kernels`, and take what they
 need from the package that asks. Where numba is installed, pipeline.py and mipmapping.py are
 replaced by the last two, to the bit (course/given/compiled.py).
 
+    scanline           lab 2's rasterizer, whole rows at once, in NumPy
     face_kernels       lab 2's rasterizer
     pixel_kernels      weights and colours of labs 2 and 5, there and back
     pair_kernels       lab 8's antialiasing, there and back

@@ -4,6 +4,7 @@
     inputs             what functions expect: one sentence for what does not fit
     whose              the reference does the work, or a student's labs
     compiled           loops that numba compiles where it is installed, and all cores
+    faster             what is only faster, in the place of what somebody wrote
     image              pictures as arrays, and as files
     mesh               triangle meshes: simple shapes, normals, edges
     mesh_files         triangle meshes from files

@@ -140,7 +140,7 @@ def test_each_scene_draws_ones_own_beside_the_course_s_pictures(tmp_path, monkey
     (["shadow", "cow.obj"], "cow.obj does not follow a scene that takes a file: write it after"),
     (["cow.obj"], "cow.obj does not follow a scene"),
     (["bunny", "cow.obj", "calf.obj"], "calf.obj does not follow a scene"),
-    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, aliasing")])
+    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, ties")])
 def test_a_file_stands_after_a_scene_that_takes_one(names, sentence):
     """It is silently ignored, and the bunny comes out; or a misspelt scene is taken for a file."""
     with pytest.raises(ValueError, match=sentence):

