@@ -210,35 +210,6 @@ def test_the_blend_of_lab_10_is_that_of_lab_9():
     assert x.shape == y.shape and np.abs(x[1] - y[1]).max() < 1e-6
 
 
-def test_the_mirrored_direction_and_its_change_are_right(rng):
-    """A reflection that is turned or longer, or a footprint of another pixel."""
-    d, normal = rng.normal(size=(2, 9, 3))
-    d_change, normal_change = rng.normal(size=(2, 9, 3, 2))
-    r, change = reflections.reflected(d, d_change, normal, normal_change)
-    half = r / np.linalg.norm(d, axis=1)[:, None] - d / np.linalg.norm(d, axis=1)[:, None]
-    np.testing.assert_allclose(np.linalg.norm(r, axis=1), np.linalg.norm(d, axis=1))
-    np.testing.assert_allclose(np.cross(half, normal), 0, atol=1e-12)
-    for k in 0, 1:
-        ahead, behind = (reflections.reflected(d + h * d_change[..., k], d_change,
-                                          normal + h * normal_change[..., k], normal_change)[0]
-                         for h in (1e-6, -1e-6))
-        np.testing.assert_allclose(change[..., k], (ahead - behind) / 2e-6, rtol=1e-6, atol=1e-6)
-
-
-def test_rays_go_through_their_pixels_centres():
-    """A background that is shifted by half a pixel, upside down, or of another camera."""
-    eye = np.array([0.5, 0.7, 2.5])
-    camera = viewing.clip_from_world(LABS, eye)
-    rays, change = reflections.rays(LABS, camera, eye, 8)
-    points = eye + 0.7 * rays.reshape(-1, 3) / np.linalg.norm(rays.reshape(-1, 3), axis=1)[:, None]
-    clip = LABS.pipeline.to_clip(points, camera)
-    screen = LABS.transforms.to_screen(LABS.transforms.perspective_divide(clip), 8, 8)
-    y, x = np.indices((8, 8)) + 0.5
-    np.testing.assert_allclose(screen[:, :2], np.stack([x.ravel(), y.ravel()], 1))
-    np.testing.assert_allclose(change[:, :-1, :, 0], np.diff(rays, axis=1), atol=1e-12)
-    np.testing.assert_allclose(change[:-1, ..., 1], np.diff(rays, axis=0), atol=1e-12)
-
-
 def test_the_footprints_of_a_picture_are_steps_to_neighbouring_pixels():
     """The change of a reflection is that of another place, or its sign is flipped."""
     eye = np.array([0.3, 0.6, 2.7])

@@ -120,14 +120,6 @@ def test_shapes_lie_where_their_surface_is():
     np.testing.assert_array_equal(mesh.face_normals(vertices, faces), [[0, 0, 1]] * 18)
 
 
-def test_the_smallest_icosphere_is_a_regular_icosahedron():
-    """A wrong corner, or corners joined that are not neighbours."""
-    vertices, faces = mesh.icosphere(20)
-    low, high = mesh.edges(faces)[0].T
-    edge = 1 / np.sin(2 * np.pi / 5)  # of the icosahedron in the unit sphere
-    assert np.linalg.norm(vertices[low] - vertices[high], axis=1) == pytest.approx(edge)
-
-
 @pytest.mark.parametrize("name", SHAPES)
 @pytest.mark.parametrize("face_count", [0, -5, np.nan, np.inf])
 def test_fewer_than_one_face_is_refused(name, face_count):
@@ -161,14 +153,6 @@ def test_normalize_fits_any_mesh_into_the_unit_sphere():
 # Normals
 
 
-@pytest.mark.parametrize("shape", [(3,), (5, 3), (2, 4, 3)])
-def test_a_length_is_the_norm_of_a_row(shape):
-    vectors = np.random.default_rng(0).normal(size=shape)
-    lengths = np.linalg.norm(vectors, axis=-1)
-    np.testing.assert_allclose(mesh.length(vectors), lengths, rtol=1e-15)
-    np.testing.assert_allclose(mesh.unit(vectors), vectors / lengths[..., None], rtol=1e-15)
-
-
 def test_vertex_normals_weigh_faces_by_area():
     """All faces with the same weight: a sliver would turn the normal as much as a wall."""
     vertices = np.array([[0.0, 0, 0], [4, 0, 0], [0, 1, 0], [0, 0, 3], [9, 9, 9]])
@@ -195,18 +179,6 @@ def test_a_tiny_or_thin_face_has_a_normal():
 
 
 # Edges
-
-
-def test_face_edges_lie_opposite_to_their_vertex():
-    """The same on a real mesh: edge k of a face holds its other two vertices."""
-    _, faces = mesh.bunny()
-    edges, face_edges = mesh.edges(faces.astype(np.uint16))
-    assert (edges[:, 0] < edges[:, 1]).all()
-    pairs = [tuple(pair) for pair in edges.tolist()]
-    assert pairs == sorted(set(pairs))
-    for k in range(3):
-        others = np.sort(np.delete(faces, k, axis=1), axis=1)
-        np.testing.assert_array_equal(edges[face_edges[:, k]], others)
 
 
 def test_many_vertices_do_not_get_mixed_up_where_indices_have_32_bits(monkeypatch):
@@ -269,18 +241,6 @@ def test_no_faces_have_no_edges():
     assert edges.shape == (0, 2) and face_edges.shape == (0, 3)
     assert mesh.edge_faces(none).shape == mesh.boundary_edges(none).shape == (0, 2)
     assert mesh.adjacency(none, 4).nnz == 0
-
-
-def test_the_data_readme_states_the_facts():
-    """Numbers in the README that are no longer those of the files."""
-    text = (mesh.DATA / "README.md").read_text(encoding="utf-8")
-    bunny, teapot = (f"{len(vertices)}, {len(faces)}, {len(mesh.edges(faces)[0])}"
-                     for vertices, faces in (mesh.bunny(), mesh.teapot()))
-    assert f"| {bunny} | {teapot} |" in text
-    vertices, faces = mesh.teapot()
-    points, index = np.unique(vertices, axis=0, return_inverse=True)
-    assert f"at {len(points)} places" in text
-    assert f"0 and 1 | {len(mesh.boundary_edges(index.reshape(-1)[faces]))} and 3" in text
 
 
 def test_meshes_are_at_hand_without_trimesh():

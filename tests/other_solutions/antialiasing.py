@@ -53,10 +53,6 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
     return (*by_first(x0, y0, x1, y1), *by_first(x1, y1, x0, y0))
 
 
-def blend_weight(c):
-    return np.where(c > 0, np.where(c < 1, 0.5 - c, -0.5), 0.5)
-
-
 def blend(colour, owner, other, alpha):
     shape = np.shape(colour)
     before = np.array(colour, float).reshape(-1, shape[2])

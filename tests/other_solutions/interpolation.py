@@ -2,10 +2,6 @@
 import numpy as np
 
 
-def fraction_in_space(t, w_0, w_1):
-    return t / (t + (1 - t) * (w_1 / w_0))
-
-
 def barycentric_from_screen(e, w):
     n = e * np.roll(w, 1, -1) * np.roll(w, 2, -1)
     return n / np.sum(n, -1)[..., None]

@@ -4,10 +4,6 @@ import math
 import numpy as np
 
 
-def squared_error_backward(grad_loss, picture, target):
-    return np.subtract(picture, target) * (grad_loss / (np.size(picture) / 2))
-
-
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     beta_1, beta_2, epsilon = constants
     # With the two corrections moved into the rate and epsilon, as the paper's section 2 has it.

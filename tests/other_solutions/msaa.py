@@ -19,10 +19,6 @@ def centre_sample(clip, offset, width, height):
     return moved
 
 
-def coverage(face_index):
-    return sum(np.where(sample < 0, 0, 1) for sample in face_index) / len(face_index)
-
-
 def box_resolve(picture, n):
     return sum(picture[i::n, j::n] for i in range(n) for j in range(n)) / n**2
 

@@ -1,7 +1,7 @@
 """Lab 2 once more: brute force, complex numbers, and linear systems for areas."""
 import numpy as np
 
-from reference.rasterization import EDGES, screen_points, signed_area
+from reference.rasterization import EDGES, is_top_left, screen_points, signed_area
 
 
 def edge_function(p, a, b):
@@ -24,8 +24,6 @@ def edge_function_backward(grad_e, p, a, b):
     return [slope(a, b), slope(b, p), slope(p, a)]
 
 
-def is_top_left(n_x, n_y):
-    return np.where(np.equal(n_x, 0), np.greater(n_y, 0), np.greater(n_x, 0))
 
 
 def screen_weights(p, triangle):

@@ -24,10 +24,6 @@ def sh_basis_backward(grad_basis, normals):
     return grad_basis @ LINEAR + 2 * both
 
 
-def shade(albedo, normals, light):
-    return np.einsum("vc,vk,kc->vc", albedo, sh_basis(normals), light)
-
-
 def shade_backward(grad_colour, albedo, normals, light):
     grad_albedo, grad_normals = np.zeros(np.shape(albedo)), np.zeros(np.shape(normals))
     grad_light = np.zeros(np.shape(light))

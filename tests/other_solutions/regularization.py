@@ -58,11 +58,6 @@ def smooth_implicit(x, edges, weights, mass, step):
     return moved
 
 
-def enclosed_volume_backward(grad_volume, triangles):
-    a, b, c = np.swapaxes(triangles, 0, 1)
-    return grad_volume / 6 * np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], 1)
-
-
 def large_step(x, grad_x, mean, square, step, rate, spread):
     edges, weights, amount = spread
     matrix = np.eye(len(x)) + amount * dense(edges, weights, len(x))

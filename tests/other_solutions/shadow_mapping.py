@@ -22,7 +22,3 @@ def distance_slopes(normal, q, clip_from_light, width, height):
         for axis, size in enumerate((width, height)):
             slopes[n, axis] = -2 * w / (C[axis, axis] * size) * normal[n, axis] / facing
     return slopes
-
-
-def slope_scaled_bias(slope, constant, factor, most):
-    return np.array([min(most, constant + factor / 2 * (abs(a) + abs(b))) for a, b in slope])

@@ -3,14 +3,7 @@ import itertools
 
 import numpy as np
 
-from reference.simplification import (
-    best_position,
-    why_refused,
-)
-
-
-def plane_quadrics(planes):
-    return np.einsum("...i,...j->...ij", planes, planes)
+from reference.simplification import best_position, why_refused
 
 
 def vertex_quadrics(face_quadrics, faces, vertex_count):
@@ -25,10 +18,6 @@ def quadric_error(q, x):
     # In blocks: x . A x + (b + b') . x + c.
     A, b = q[..., :3, :3], q[..., :3, 3] + q[..., 3, :3]
     return np.einsum("...i,...ij,...j->...", x, A, x) + (b * x).sum(-1) + q[..., 3, 3]
-
-
-def best_anywhere(q):
-    return np.array([-np.linalg.inv(m[:3, :3]) @ m[:3, 3] for m in q]).reshape(-1, 3)
 
 
 def pair_costs(vertices, quadrics, pairs):

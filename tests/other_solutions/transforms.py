@@ -4,10 +4,6 @@ import math
 import numpy as np
 
 
-def transform(points, matrix):
-    return np.einsum("...j,ij->...i", points, matrix)
-
-
 def transform_backward(grad_output, points, matrix):
     grad_matrix = np.zeros((4, 4))
     for index in np.ndindex(np.shape(points)[:-1]):
@@ -47,11 +43,6 @@ def frustum(l, r, b, t, near, far):
     matrix[:, 2] = (r + l) / (r - l), (t + b) / (t - b), slope, -1
     matrix[2, 3] = offset
     return matrix
-
-
-def perspective_divide(clip):
-    x, y, z, w = np.moveaxis(clip, -1, 0)
-    return np.stack([x / w, y / w, z / w], -1)
 
 
 def perspective_divide_backward(grad_ndc, clip):

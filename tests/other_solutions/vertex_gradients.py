@@ -2,10 +2,6 @@
 import numpy as np
 
 
-def vertex_matrix(triangle):
-    return np.vstack([np.transpose(triangle), [1, 1, 1]])
-
-
 def inverse_differential(m, dm):
     # The inverse of [M dM; 0 M] has it in its upper right corner.
     blocks = np.block([[m, dm], [np.zeros((3, 3)), m]])

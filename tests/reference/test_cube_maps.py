@@ -84,17 +84,6 @@ def test_every_gradient_is_a_central_difference(filter, size):
               decisions=decisions, name=f"cube_texture_{filter}_{size}")
 
 
-def test_the_pyramid_is_that_of_each_face():
-    """A mean over two faces, or a face of one texel that is averaged with the next face."""
-    for size, sides in (8, [8, 4, 2, 1]), (6, [6, 3]), (1, [1]):
-        faces = np.random.default_rng(10).random((6, size, size, 1))
-        levels = cube_maps.cube_pyramid(faces.reshape(-1, size, 1), "linear-mipmap-linear", None)
-        mipmap = cube_maps.pack_cube(levels)
-        assert mipmap.width.tolist() == mipmap.height.tolist() == sides
-        last = mipmap.texels[mipmap.start[-1]:].reshape(6, -1).mean(1)
-        np.testing.assert_allclose(last, faces.mean((1, 2, 3)))
-
-
 FACES, DIRECTIONS, JACOBIAN = np.ones((6, 4, 4, 2)), np.ones((3, 5, 3)), np.ones((3, 5, 3, 2))
 
 

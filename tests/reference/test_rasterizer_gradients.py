@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from course.given import arrays
-from course.given.gradcheck import gradcheck
 from reference import rasterization, vertex_gradients
 from reference import rasterizer_gradients as gradients
 
@@ -153,15 +152,3 @@ def test_a_small_face_far_out_keeps_its_digits(size):
 
 
 # --- one face ----------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("shape", [(3, 3), (3, 3, 5)], ids=["a face", "5 faces"])
-def test_the_gradients_of_edges_are_central_differences(shape):
-    """A corner gets the gradient of one of its two edges alone, or another face's. An order in a
-    cross product is exchanged, rows are taken for columns, or edge k is not across from corner k.
-    """
-    def forward(corners):
-        return np.stack([np.cross(corners[:, i], corners[:, j], axis=0)
-                         for i, j in [(1, 2), (2, 0), (0, 1)]])
-
-    corners = np.random.default_rng(8).normal(size=shape)
-    gradcheck(forward, gradients.edge_normals_backward, (corners,), name="edges")

@@ -2,7 +2,6 @@
 import numpy as np
 
 from course.given import mesh
-from course.given.gradcheck import gradcheck
 from reference import intrinsic_decomposition, multi_view_fit
 from reference import received_light as lab
 
@@ -28,14 +27,6 @@ def test_a_near_lamp_falls_off_with_the_square_of_its_distance():
     expected = 4 / away**2 * (lamp - points)[:, 1] / away
     np.testing.assert_allclose(lab.facing(up, 0.5, surface), expected)
     np.testing.assert_allclose(lab.facing(up, 0.0, surface), 1)
-
-
-def test_the_gradient_of_the_falloff(rng):
-    """The lamp comes nearer where it has to go away."""
-    surface = surface_of(*mesh.icosphere(80))
-    gradcheck(lambda towards, near: lab.facing(towards, near, surface),
-              lambda grad, towards, near: lab.facing_backward(grad, towards, near, surface),
-              (np.array([0.48, 0.6, 0.64]), np.array(0.3)), name="facing")
 
 
 def test_a_ball_over_a_plate_throws_its_shadow():

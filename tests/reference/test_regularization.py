@@ -24,18 +24,6 @@ def test_the_cotangent_laplacian_is_the_gradient_of_the_area():
     np.testing.assert_allclose(got, expected, atol=1e-10)
 
 
-def test_areas_are_shared_and_sum_to_the_surface():
-    """A vertex has all of its faces' areas, or one of no face has some. Or a wrong gradient."""
-    given = np.array([[[0.0, 0, 0], [3, 0, 0], [0, 0, 2]], [[0, 1, 0], [0, 1, 6], [2, 1, 0]]])
-    faces = np.array([[0, 3, 1], [5, 3, 0]])
-    np.testing.assert_allclose(regularization.vertex_areas(given, faces, 7), [3, 1, 0, 3, 0, 2, 0])
-    gradcheck(lambda t: regularization.vertex_areas(t, faces, 7),
-              lambda grad_areas, t: regularization.vertex_areas_backward(grad_areas, t, faces),
-              (given,), name="vertex_areas")
-    flat = regularization.vertex_areas_backward(np.ones(7), np.zeros((2, 3, 3)), faces)
-    np.testing.assert_array_equal(flat, 0)
-
-
 def test_an_energy_of_integers_is_that_of_floats():
     """A share of a mass does not fit into an array of integers, and -1 not into a byte."""
     x, edges, mass = np.array([[1], [2], [4]]), np.array([[0, 1], [1, 2]]), np.array([1, 0, 4])

@@ -160,21 +160,3 @@ def test_a_picture_may_have_no_pixels_but_not_less():
     for width, height in (-1, 4), (4, 2.5):
         refused("visible_points expects a whole number", shadow_mapping.visible_points, vertices,
                 faces, camera(), width, height)
-
-
-MAP = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, np.inf], [9.0, 10.0, 11.0, 12.0]])
-
-
-def test_a_texel_is_found_by_its_square():
-    """Rows and columns are swapped, or the place is rounded to the nearest whole number."""
-    place = np.array([[0.0, 0.0], [0.99, 0.99], [1.0, 2.0], [3.99, 0.0], [2.6, 1.7]])
-    np.testing.assert_array_equal(shadow_mapping.stored_distance(MAP, place),
-                                  [1.0, 1.0, 10.0, 4.0, 7.0])
-
-
-def test_outside_the_map_nothing_is_stored():
-    """A negative index reads the other side of the map, or the border belongs to the map."""
-    x = np.array([-0.01, 4.0, 1.0, 1.0, -0.5, 99.0, 3.5, 4.0 - 1e-9])
-    y = np.array([0.5, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
-    stored = shadow_mapping.stored_distance(MAP, np.stack([x, y], -1))
-    np.testing.assert_array_equal(stored, np.array([np.inf] * 7 + [12.0]))

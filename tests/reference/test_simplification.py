@@ -177,35 +177,11 @@ def test_the_longest_edges_are_halved_and_rounded():
 
 # --- what is given ------------------------------------------------------------------------------
 
-def test_corners_lie_in_their_plane_and_other_points_at_their_distance(rng):
-    """The normal is not of length 1, or points to the back. d has the other sign, or is measured
-    from the wrong vertex. Faces are taken for vertices.
-    """
-    vertices = rng.normal(size=(9, 3))
-    faces = np.array([[0, 5, 2], [8, 1, 4], [3, 7, 6], [2, 0, 8]])
-    p = np.asarray(simplification.face_planes(vertices, faces))
-    assert_equal(p.shape, (4, 4))
-    a, b, c = vertices[faces.T]
-    n = np.cross(b - a, c - a)
-    n /= np.sqrt((n * n).sum(1))[:, None]
-    assert_close(p[:, :3], n)
-    lifted = vertices[faces] + 2.5 * n[:, None]
-    assert_close((lifted * p[:, None, :3]).sum(2) + p[:, 3:], np.full((4, 3), 2.5))
-
-
 def test_a_face_without_area_has_no_plane():
     """0/0, or a plane out of rounding."""
     vertices = np.array([[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9], [1.0, 1.0, 1.0]])
     planes = simplification.face_planes(vertices, np.array([[0, 1, 2], [3, 3, 1]]))
     assert_close(planes, np.zeros((2, 4)))
-
-
-def test_a_flat_part_counts_by_its_area_not_by_its_faces():
-    """Each plane counts once, so a finely cut side counts more."""
-    coarse, fine = (simplification.mesh_quadrics(*mesh.cube(n)).sum(0) for n in (12, 300))
-    expected = 3 * 4 * 2 * np.diag([1.0, 1.0, 1.0, 3.0])  # 3 corners, area 4, 2 sides: x^2 + 1 each
-    assert_close(coarse, expected, atol=1e-6)
-    assert_close(fine, expected, atol=1e-6)
 
 
 def test_a_boundary_weighs_by_the_square_of_its_length():
@@ -241,15 +217,6 @@ def test_near_vertices_are_pairs_too():
     assert_equal(simplification.valid_pairs(vertices, faces, 0.5), np.array(edges))
     expected = np.array(sorted([*edges, [2, 3]]))
     assert_equal(simplification.valid_pairs(vertices, faces, 0.51), expected)
-
-
-def test_the_best_of_three_on_paper():
-    """The third one is left out, or the worst is taken."""
-    q = np.repeat(planes_of([1, 0, 0, -2]), 3, 0)
-    a = np.array([[0.0, 1.0, 0.0], [2.5, 7.0, 0.0], [9.0, 9.0, 9.0]])
-    b = np.array([[4.0, 2.0, 0.0], [9.0, 1.0, 8.0], [3.0, 1.0, 0.0]])
-    expected = [[2.0, 1.5, 0.0], [2.5, 7.0, 0.0], [3.0, 1.0, 0.0]]
-    assert_close(simplification.best_of_three(q, a, b), expected)
 
 
 def test_of_equal_errors_the_first_counts():

@@ -16,22 +16,6 @@ def folder(tmp_path):
     return ring.photograph(tmp_path)
 
 
-def test_a_camera_of_colmap_on_paper():
-    """The quaternion's w is last, its inverse is taken, or y stays down.
-
-    A quarter turn about x takes the world's y to the camera's z, and its z to -y. So the camera
-    looks along the world's y, z is up, and it stands 5 before the origin.
-    """
-    half = np.sqrt(0.5)
-    found = camera_files.colmap_pose([half, half, 0, 0, 0, 0, 5])
-    np.testing.assert_allclose(found, [[1, 0, 0, 0], [0, 0, -1, -5], [0, 1, 0, 0], [0, 0, 0, 1]],
-                               atol=1e-12)
-    # (1, 0, 0.5) is 1 right, 0.5 up and 5 away: column 14 + 20/5 = 18, row 7 - 10/5 = 5.
-    shot = camera_files.Shot("a.png", None, 24, 16, 20, 20, 14, 7, found)
-    clip = captures.camera(ring.LABS, shot, np.array([0.1, 0.0, 0.0]), 1.0) @ [1, 0, 0.5, 1]
-    np.testing.assert_allclose(clip[:2] / clip[3], [2 * 18 / 24 - 1, 1 - 2 * 5 / 16])
-
-
 @pytest.mark.parametrize(("model", "numbers", "lens"), [
     (0, (20, 14, 7), (20, 20, 14, 7, (0, 0, 0, 0))),
     (1, (20, 21, 14, 7), (20, 21, 14, 7, (0, 0, 0, 0))),
