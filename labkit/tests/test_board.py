@@ -306,8 +306,8 @@ def test_each_exercise_of_the_course_has_its_section():
     for topic in exercises.asking_topics():
         for exercise in exercises.topic_exercises(topic):
             assert all(board.sections(*exercises.pages(topic))[exercise.number])
-    assert list(board.numbers_in("*Extras 7.10 to 7.12 and 8.2.*\n(extra 1.4) 2.2")) == [
-        "7.10", "7.11", "7.12", "8.2", "1.4"]
+    assert list(board.numbers_in("*Extras 7.10 to 7.12 and 8.2.*\n(extra 1.4) 2.2\n**Step 2.3**")
+                ) == ["7.10", "7.11", "7.12", "8.2", "1.4", "2.3"]
 
 
 def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch):
