@@ -52,18 +52,28 @@ class Entry(NamedTuple):
     def reached(self) -> float:
         """Its points by the share of its question's claims that hold, down to half points.
 
-        All of them only where it is done: else one can be lost after its claims have held.
+        All of them only where it is done: else one can be lost after its claims have held. None if
+        no claim holds whose numbers are drawn: all others can be typed in from the checks.
         """
         hold, of = self.claims
         if self.verdict == "done":
             return self.points
-        return 0 if self.verdict in NOTHING or hold == of else 2 * self.points * hold // of / 2
+        is_lost = self.verdict in NOTHING or hold == of or self.only_known_numbers
+        return 0 if is_lost else 2 * self.points * hold // of / 2
+
+    @property
+    def only_known_numbers(self) -> bool:
+        """Are there claims with drawn numbers, and none of them holds?"""
+        drawn = [claims([other for other in self.checks if other.function == check.function])
+                 for check in self.checks if check.drawn and not check.fine_print]
+        return bool(drawn) and not any(hold for hold, _ in drawn)
 
     def told_points(self, reached: float) -> str:
         """A sentence on so many points: 2 of 3 points: 4 of 5 claims hold."""
         hold, of = self.claims
         told = f"{reached:g} of {plural(self.points, 'point')}: " if self.points else ""
-        return f"{told}{hold} of {of} claims hold"
+        known = ", none with drawn numbers" * (hold > 0 and self.only_known_numbers)
+        return f"{told}{hold} of {of} claims hold{known}"
 
 
 class Found(NamedTuple):
@@ -215,8 +225,8 @@ def claims(checks: list[Check]) -> tuple[int, int]:
     hold = {}
     for check in checks:
         if not check.fine_print:
-            name = check.nodeid.partition("[")[0]
-            hold[name] = hold.get(name, True) and check.verdict == "passed"
+            held = hold.get(check.function, True)
+            hold[check.function] = held and check.verdict == "passed"
     return sum(hold.values()), len(hold)
 
 

@@ -37,6 +37,12 @@ class Check(NamedTuple):
     numbers: int = 0         # so many were returned
     suspected: tuple | None = None  # of a failed one: what hints.suspected says
     catches: str = ""        # of a failed one: the mistakes that it was written for
+    drawn: bool = False      # its numbers are drawn, from the seed: nobody knows them before
+
+    @property
+    def function(self) -> str:
+        """Its function in the tests. It is one claim, whatever its cases."""
+        return self.nodeid.partition("[")[0]
 
 
 def judge(item, error, report, mark):
@@ -50,18 +56,23 @@ def judge(item, error, report, mark):
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
     compared = getattr(error, "compared", None)
-    as_known = item.config.option.seed == 0 or "rng" not in item.fixturenames
+    as_known = item.config.option.seed == 0 or not is_drawn(item)
     known = (hints.fingerprint_and_count(item.nodeid, returned, compared) if as_known
              else (hints.OTHER, 0))
     found = suspected(error, item, compared, returned)
     catches = caught(item, error, rows) if verdict == "failed" else ""
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration, is_fine_print(mark),
-                         *known, found and tuple(found), catches)._asdict()
+                         *known, found and tuple(found), catches, is_drawn(item))._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         perhaps = [("perhaps", catches)] if catches else []
         report.longrepr = layout([("claim", claim(item)), *perhaps, *rows,
                                   ("again", "\n".join(commands(item, number)))])
+
+
+def is_drawn(item):
+    """Are a check's numbers drawn, from the seed?"""
+    return "rng" in item.fixturenames
 
 
 def suspected(error, item, compared, returned):

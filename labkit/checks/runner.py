@@ -11,7 +11,7 @@ from rich.progress import Progress
 from .. import places
 from .hints import hint, is_sure
 from .loader import Stopped, folder
-from .report import Check, claim, is_fine_print
+from .report import Check, claim, is_drawn, is_fine_print
 from .showing import error_text, layout
 
 
@@ -102,7 +102,8 @@ class Collector:
         asked = [(item, mark) for item, mark in marks if mark and mark.args[0] in self.numbers]
         items[:] = [item for item, mark in sorted(asked, key=lambda one: is_fine_print(one[1]))]
         self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "not run", "",
-                                           None, 0.0, is_fine_print(mark)) for item, mark in asked}
+                                           None, 0.0, is_fine_print(mark), drawn=is_drawn(item))
+                        for item, mark in asked}
         self.task = self.progress.add_task("checks", total=len(items))
 
     @pytest.hookimpl(tryfirst=True)

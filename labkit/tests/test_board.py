@@ -129,7 +129,7 @@ def test_the_json_holds_the_board_and_every_check(whole):
         "exercise": "1.2", "nodeid": "tests/labs/test_transforms.py::test_half_of_three",
         "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0,
         "fine_print": False, "mark": failed["mark"], "numbers": 1,
-        "suspected": ["", False], "catches": "A third."}
+        "suspected": ["", False], "catches": "A third.", "drawn": False}
     assert found["exercises"][5]["checks"] == []
 
 

@@ -13,6 +13,8 @@ from labkit.grading.results import Results, Run
 
 EDGE, COVER = COLUMNS = [exercise("2.1", "edge", 4), exercise("2.2", "cover", 3)]
 
+DRAWN = check("2.2", "drawn", "failed")._replace(drawn=True)
+
 
 def half_right(asked=COVER, verdict="failing", held=4, of=5, *more):
     """An exercise of which so many claims hold."""
@@ -34,10 +36,14 @@ def half_right(asked=COVER, verdict="failing", held=4, of=5, *more):
     (half_right(COVER, "done", 2, 2, check("2.2", verdict="failed", fine_print=True)), 3, (2, 2)),
     (entry(COVER, "failing", check("2.2", "a[1]"), check("2.2", "a[2]", "failed"),
            check("2.2", "b"), check("2.2", "c", "not run")), 1, (1, 3)),
+    (entry(COVER, "failing", check("2.2", "a"), DRAWN), 0, (1, 2)),
+    (entry(COVER, "failing", check("2.2", "a", "failed"), check("2.2", "b", "failed"),
+           DRAWN._replace(verdict="passed")), 1, (1, 3)),
     (entry(COVER, "not readable"), 0, (0, 0))])
 def test_an_exercise_gives_the_share_of_its_claims_that_hold(found, reached, claims):
     """A check that did not run is no claim, each case of a claim is one, fine print gives or costs
-    points, a third is rounded up, or all points are there for what is not done.
+    points, a third is rounded up, or all points are there for what is not done. Numbers that are
+    typed in from the checks give points.
     """
     assert (found.reached, found.claims) == (reached, claims)
     assert verdicts.points([found, found]) == (2 * reached, 6)
