@@ -487,6 +487,23 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
 
 
 @exercise("2.13")
+def test_a_heap_of_faces_is_seen_ray_by_ray(impl, rng):
+    """Whatever goes wrong only where several faces meet, cross, or reach out of the picture: each
+    pixel sees the nearest face on its ray.
+    """
+    clip, faces = clip_triangles(rng, 12, behind=False)
+    face_index, depth = impl.rasterize(clip, faces, 9, 7)
+    rays = np.append(centres(9, 7) / [4.5, 3.5] - 1, np.ones((7, 9, 1)), -1)
+    found = np.full((12, 7, 9), np.inf)
+    for f, corners in enumerate(clip[faces]):
+        weights = rays @ np.linalg.inv(corners[:, [0, 1, 3]])
+        z = weights @ corners[:, 2]
+        found[f] = np.where((weights > 0).all(-1) & (np.abs(z) <= 1), z, np.inf)
+    assert_close(depth, found.min(0), atol=1e-9)
+    assert_picture(face_index, np.where(np.isfinite(found.min(0)), found.argmin(0), -1))
+
+
+@exercise("2.13")
 def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
     """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
     clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
