@@ -7,6 +7,7 @@ from .viewing import clip_from_world
 
 WIDTH, HEIGHT = 18, 14
 EYE = np.array([-1.3, 0.7, 2.2])
+PIXELS = [29, 28, 10, 18, 28, 36]  # left and lower edges, the first of equally deep faces
 
 
 def ties(labs):
@@ -14,10 +15,10 @@ def ties(labs):
     corners, faces = squares()
     clip = np.column_stack([corners / [WIDTH / 2, HEIGHT / 2, 1] - [1, 1, 0], np.ones(12)])
     face_index, _ = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
-    counts = np.bincount(face_index[face_index >= 0], minlength=6)
-    yield ("left and lower edges own their centres, the first of equally deep faces is seen",
+    counts = np.bincount(face_index[face_index >= 0], minlength=6).tolist()
+    yield (f"each face has its pixels: {counts}",
            save("ties", "face_index", enlarged(plot.face_colours(face_index), 16)),
-           ("29, 28, 10, 18, 28, 36 pixels", counts.tolist() == [29, 28, 10, 18, 28, 36]))
+           (f"{PIXELS}", counts == PIXELS))
 
 
 def cut(labs):

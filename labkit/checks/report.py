@@ -139,8 +139,10 @@ def explained(error, item):
 
 
 def caught(item, error, rows):
-    """The mistakes that a check was written for, where it came so far; else ""."""
-    if isinstance(error, Mismatch) and "expected" not in dict(rows):
+    """The mistakes that a check was written for, where it came so far; else "", as after a crash.
+    """
+    if not isinstance(error, AssertionError) or (
+            isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
 

@@ -162,40 +162,6 @@ def test_samples_inside_are_covered(impl, rng):
 
 
 @exercise("2.6")
-def test_a_face_is_seen_from_behind_too(impl, rng):
-    """Clockwise triangles cover nothing, because only positive e count as inside: the face is seen
-    from both sides. Or its corners are turned round, but not their z: the depths keep the old
-    order.
-    """
-    p, z = rng.uniform(0, 8, (300, 2)), np.array([-0.5, 0.25, 0.75])
-    front, behind = (impl.cover(p, TRIANGLE[order], z[order]) for order in ([0, 1, 2], [2, 1, 0]))
-    assert_equal(behind[0], exact_inside(p, TRIANGLE))
-    assert_close(behind[1], front[1])
-    plane = np.linalg.solve(np.column_stack([TRIANGLE, np.ones(3)]), z)
-    assert_close(behind[1], np.column_stack([p, np.ones(300)]) @ plane)
-
-
-@exercise("2.6")
-def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
-    the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough. A
-    top-left edge counts without e == 0. p is rounded.
-    """
-    for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
-        p = centres(5, 4) + moved
-        lower = covered(impl, p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]) + moved)
-        assert_picture(lower, np.array([[1, 1, 1, 0, 0],
-                                        [0, 1, 1, 0, 0],
-                                        [0, 0, 1, 0, 0],
-                                        [0, 0, 0, 0, 0]], bool))
-        upper = covered(impl, p, np.array([[0.5, 0.5], [3.5, 3.5], [0.5, 3.5]]) + moved)
-        assert_picture(upper, np.array([[0, 0, 0, 0, 0],
-                                        [1, 0, 0, 0, 0],
-                                        [1, 1, 0, 0, 0],
-                                        [0, 0, 0, 0, 0]], bool))
-
-
-@exercise("2.6")
 def test_depth_is_mixed_by_the_weights_of_the_screen(impl):
     """Weights and corners do not match, or it is one corner's z. The weights are not divided by
     their sum, or divided by the area for twice the area.
@@ -218,10 +184,60 @@ def test_near_and_far_cut_a_face(impl):
 
 
 @exercise("2.6")
+def test_a_face_is_seen_from_behind_too(impl, rng):
+    """Clockwise triangles cover nothing, because only positive e count as inside: the face is seen
+    from both sides. Or its corners are turned round, but not their z: the depths keep the old
+    order.
+    """
+    p, z = rng.uniform(0, 8, (300, 2)), np.array([0.125, 0.375, 0.875])
+    seen, depth = impl.cover(p, TRIANGLE[::-1], z[::-1])
+    plane = np.linalg.solve(np.column_stack([TRIANGLE, np.ones(3)]), z)
+    inside = exact_inside(p, TRIANGLE)
+    assert_equal(seen, inside)
+    assert_close(depth[inside], (np.column_stack([p, np.ones(300)]) @ plane)[inside])
+
+
+@exercise("2.6")
+def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
+    """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
+    the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough. A
+    top-left edge counts without e == 0, also far below a lower one. p is rounded.
+    """
+    for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
+        p = centres(5, 5) + moved
+        lower = covered(impl, p, np.array([[0.5, 1.5], [3.5, 1.5], [3.5, 4.5]]) + moved)
+        assert_picture(lower, np.array([[0, 0, 0, 0, 0],
+                                        [1, 1, 1, 0, 0],
+                                        [0, 1, 1, 0, 0],
+                                        [0, 0, 1, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+        upper = covered(impl, p, np.array([[0.5, 1.5], [3.5, 4.5], [0.5, 4.5]]) + moved)
+        assert_picture(upper, np.array([[0, 0, 0, 0, 0],
+                                        [0, 0, 0, 0, 0],
+                                        [1, 0, 0, 0, 0],
+                                        [1, 1, 0, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+
+
+@exercise("2.6")
 def test_a_face_of_any_size_is_covered_alike(impl, rng):
     """An absolute tolerance decides what lies on an edge, or a small area counts as none."""
     p, small = rng.uniform(0, 8, (300, 2)), 2.0**-20  # exact, so that only a tolerance can tell
     assert_equal(covered(impl, small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
+
+
+@exercise("2.6")
+def test_a_list_a_block_and_no_samples_at_all(impl):
+    """Right for p (N, 2) alone: x is p[0] or p[:, 0] instead of p[..., 0], or a loop goes over the
+    first axis. Or no samples give no array of booleans.
+    """
+    p, z = centres(8, 7) + 0.1, np.array([-0.5, 0.25, 0.75])
+    block, row, none = (impl.cover(some, TRIANGLE, z) for some in (p, p[2], p[:, :0]))
+    assert_equal(block[0], exact_inside(p, TRIANGLE))
+    assert_equal(row[0], block[0][2])
+    assert_close(row[1], block[1][2])
+    assert_equal(np.array([np.shape(part) for part in none]), [[7, 0], [7, 0]])
+    assert_equal(none[0] & np.ones((7, 0), bool), np.ones((7, 0), bool))
 
 
 @exercise("2.6", fine_print=True)
@@ -282,7 +298,7 @@ def test_the_box_of_a_triangle_on_paper(impl):
 
 
 @exercise("2.8")
-def test_the_box_is_wider_by_1_256_of_a_pixel(impl):
+def test_the_box_is_wider_by_the_margin(impl):
     """MARGIN is missing, on one side only, taken away, or added twice."""
     low, high = 1.5 + 1 / 256, 4.5 - 1 / 256  # the box ends at the centres 1.5 and 4.5
     triangle = np.array([[low, high], [high, low], [3.0, 3.0]])
@@ -294,7 +310,7 @@ def test_the_box_is_wider_by_1_256_of_a_pixel(impl):
 
 
 @exercise("2.8", fine_print=True)
-def test_a_centre_on_the_box_s_border_is_in_it(impl):
+def test_a_centre_on_its_border_is_in_the_box(impl):
     """> for >=: a centre on the border is out."""
     low, high = 1.5 + 1 / 256, 4.5 - 1 / 256
     box = impl.bounding_box(np.array([[low, high], [high, low], [3.0, 3.0]]), 9, 9)
@@ -484,6 +500,17 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
                                       [ 1,  0,  0, -1,  0,  1,  1, -1],
                                       [ 1,  1,  0, -1,  0,  0,  1, -1],
                                       [-1, -1, -1, -1, -1, -1, -1, -1]])
+
+
+@exercise("2.13")
+def test_faces_out_of_the_picture_draw_nothing(impl):
+    """A box without pixels ends with an error, or a negative one counts from the other end."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    places = [3.0, 0.0], [-3.0, 0.0], [0.0, 3.0], [0.0, -3.0], [0.0, 0.0]
+    clip = np.concatenate([triangle + [*place, 0, 0] for place in places])
+    face_index, _ = impl.rasterize(clip, np.arange(15).reshape(5, 3), 4, 4)
+    seen = np.arange(4) >= np.arange(4)[:, None]
+    assert_picture(face_index, np.where(seen, 4, -1))
 
 
 @exercise("2.13")
