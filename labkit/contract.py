@@ -10,7 +10,7 @@
               Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
     Raised    a ValueError, where the fine print says so.
     Warnings  do not count.
-    To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
+    To do     An exercise that is not written yet raises NotImplementedError, see TODO.
     Twins     Given code and extras that return its answer, such as its fast version, refuse while
               an exercise is checked, see `switched_off`.
 
@@ -24,7 +24,8 @@ import warnings
 
 import numpy as np
 
-UNFINISHED = re.compile(r"exercise (\d+\.\d+): (\w+)")  # the text of its NotImplementedError
+TODO = "exercise {}: {}"  # the text of its NotImplementedError: number, name
+UNFINISHED = re.compile(TODO.format(r"(\d+\.\d+)", r"(\w+)"))
 STANDARD = {"i": np.intp, "f": np.float64, "c": np.complex128}  # by NumPy's dtype.kind
 
 

@@ -34,11 +34,6 @@ OF_BOTH = "complete", "fast"  # folders of course/ whose modules are of referenc
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
-BY_NAME = {  # `has_kernels`: what numba replaces names here what replaces it, and is known to that
-    ("reference.mipmapping", "reference.texel_kernels"),
-    ("reference.pipeline", "reference.compiled_pipeline")}
-
-
 class Module(NamedTuple):
     """A module's text. The __init__.py of a folder stands for the folder. of_both: the folder of
     course/ that it stands in, as a module of reference and of labs, or "".

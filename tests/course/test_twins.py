@@ -84,7 +84,7 @@ def twins_found(topic, exercise, there):
 
 def test_who_returns_a_core_answer_is_listed(monkeypatch):
     """A fast twin in the same file answers the exercise in one line, for all of its points."""
-    monkeypatch.setattr(loader, "SECONDS", 1.0)
+    monkeypatch.setattr(loader, "CALL_SECONDS", 1.0)
     there = functions()
     unlisted = {exercise.number: found for topic, exercise in EACH
                 if (found := twins_found(topic, exercise, there) - set(exercise.twins)

@@ -70,13 +70,11 @@ def test_far_outside_is_as_near_outside(filter_mode, far):
     """Numbers of texels that do not fit into integers come out as any texel."""
     image, side = np.random.default_rng(14).random((16, 16384, 1)), np.array([[1.0], [-1.0]])
     for boundary in texturing.BOUNDARIES:
-        got, expected = (mipmapping.texture(image, side * [u, 0.25], None, 0.75, filter_mode,
-                                            boundary)
-                         for u in (far, 8.0))
+        given = None, 0.75, filter_mode, boundary
+        got, expected = (mipmapping.texture(image, side * [u, 0.25], *given) for u in (far, 8.0))
         np.testing.assert_array_equal(got, expected)
-        got, expected = (mipmapping.texture_backward(np.ones((2, 1)), image, side * [u, 0.26], None,
-                                                     0.75, filter_mode, boundary)[1]
-                         for u in (far, 8.0))
+        got, expected = (mipmapping.texture_backward(np.ones((2, 1)), image, side * [u, 0.26],
+                                                     *given)[1] for u in (far, 8.0))
         np.testing.assert_array_equal(got, expected)
 
 

@@ -173,11 +173,10 @@ class Texture(torch.autograd.Function):
 
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
-    labs = tensors.labs
+    given = grad, levels, place.footprint
     if sampler.boundary == "cube":
-        return labs.cube_maps.cube_filtered_backward(grad, levels, place.footprint,
-                                                     sampler.filter_mode)
-    return labs.mipmapping.filtered_backward(grad, levels, place.footprint, sampler)
+        return tensors.labs.cube_maps.cube_filtered_backward(*given, sampler.filter_mode)
+    return tensors.labs.mipmapping.filtered_backward(*given, sampler)
 
 
 def texels_backward(grad, levels, place, sampler):
