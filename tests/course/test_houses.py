@@ -46,7 +46,7 @@ class Module(NamedTuple):
 
 def modules_there():
     """{full name: Module} of all houses, without their tests."""
-    paths = [path for folder in ("reference", "course", "labkit", "apps")
+    paths = [path for folder in {one.partition(".")[0] for one in HOUSES}
              for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists() and "tests" not in path.parts]
     found = {}
