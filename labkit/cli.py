@@ -8,7 +8,7 @@ from pathlib import Path
 from . import memory
 from .commands import COMMANDS, DO, FOR_TEACHERS, LOOK, TEACH, WORK
 from .places import ROOT, is_handout
-from .table import COMMAND, LABS, NAME, TITLE
+from .table import COMMAND, HANDED_OUT, LABS, NAME, TITLE
 
 EXAMPLES = {  # what one types after COMMAND: what comes of it
     "check": "the board of all labs",
@@ -55,7 +55,7 @@ def can_be_mended(error):
         cause = cause.tb_next
     code = cause.tb_frame.f_code
     ours = any(Path(code.co_filename).resolve().is_relative_to(ROOT / folder)
-               for folder in ("labkit", "labs", "apps", NAME))
+               for folder in ("labkit", "labs", *(each.split("/")[0] for each in HANDED_OUT), NAME))
     raised = code.co_code[cause.tb_lasti] == dis.opmap["RAISE_VARARGS"]
     return isinstance(error, OSError) or (ours and raised)
 

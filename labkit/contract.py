@@ -10,7 +10,7 @@
               Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
     Raised    a ValueError, where the fine print says so.
     Warnings  do not count.
-    To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
+    To do     An exercise that is not written yet raises NotImplementedError, see TODO.
 
 The checks call the code under test through `called`, and so does the gradient check.
 """
@@ -19,7 +19,8 @@ import warnings
 
 import numpy as np
 
-UNFINISHED = re.compile(r"exercise (\d+\.\d+): (\w+)")  # the text of its NotImplementedError
+TODO = "exercise {}: {}"  # the text of its NotImplementedError: number, name
+UNFINISHED = re.compile(TODO.format(r"(\d+\.\d+)", r"(\w+)"))
 STANDARD = {"i": np.intp, "f": np.float64, "c": np.complex128}  # by NumPy's dtype.kind
 
 

@@ -2,6 +2,7 @@
 import re
 from typing import NamedTuple
 
+from .contract import TODO
 from .exercises import OPEN, Exercise, text_exercises, text_lines, top_level_functions
 
 
@@ -37,7 +38,7 @@ def answers(text: str) -> list[Answer]:
         question, end = function.body[0], answer_end(lines, function)
         indent = lines[question.lineno - 1][:question.col_offset]
         newline = lines[end - 1].removeprefix(lines[end - 1].rstrip("\r\n"))
-        todo = f'raise NotImplementedError("exercise {exercise.number}: {exercise.name}")'
+        todo = f'raise NotImplementedError("{TODO.format(exercise.number, exercise.name)}")'
         return Answer(exercise, question.end_lineno, end,
                       "".join(lines[question.end_lineno:end]), f"{indent}{todo}{newline}")
 

@@ -197,13 +197,13 @@ def unpack(texels, mipmap):
                  zip(levels, mipmap.width, mipmap.height, strict=True))
 
 
-def mixture(level, filter, top):
+def mixture(level, filter_mode, top):
     """Eq. (7): the levels that a look-up mixes, and their shares: [(level (N,), share (N,))]."""
     whole = np.ones(len(level))
-    if "mipmap" not in filter:
+    if "mipmap" not in filter_mode:
         return [(np.zeros(len(level), int), whole)]
     lower, upper, fraction = blend_levels(level, top)
-    if filter == "linear-mipmap-nearest":
+    if filter_mode == "linear-mipmap-nearest":
         return [(lower, whole)]
     return [(lower, 1 - fraction), (upper, fraction)]
 
@@ -214,9 +214,9 @@ def taps(uv, level, mipmap, sampler):
     uv (N, 2), level (N,) before it is clamped. Where not inside, the weight is 0.
     """
     found = []
-    for at, share in mixture(level, sampler.filter, len(mipmap.start) - 1):
-        index, weight, inside = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
-                                          sampler.boundary)
+    for at, share in mixture(level, sampler.filter_mode, len(mipmap.start) - 1):
+        index, weight, inside = texels_at(uv, mipmap.width[at], mipmap.height[at],
+                                          sampler.filter_mode, sampler.boundary)
         found.append((mipmap.start[at] + index, share * weight, inside))
     index, weight, inside = map(np.concatenate, zip(*found, strict=True))
     return index.T.copy(), weight.T.copy(), inside.T  # a look-up reads them row by row
@@ -227,12 +227,12 @@ def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
     """
     grad_uv = np.zeros(uv.shape)
     grad_level = np.zeros(level.shape)
-    if sampler.filter == "nearest":
+    if sampler.filter_mode == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1
-    looks = mixture(level, sampler.filter, top)
+    looks = mixture(level, sampler.filter_mode, top)
     grads = np.split(grad_weight.T.copy() * inside.T, len(looks))
-    trilinear = sampler.filter == "linear-mipmap-linear"
+    trilinear = sampler.filter_mode == "linear-mipmap-linear"
     grad_share = []
     # Inside, a tap's weight is share * (row weight) (column weight).
     for (at, share), grad in zip(looks, grads, strict=True):
@@ -247,11 +247,11 @@ def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
     return grad_uv, grad_level
 
 
-def footprint_level(footprint, mipmap, filter):
+def footprint_level(footprint, mipmap, filter_mode):
     """Eq. (6) plus bias, not clamped: (N,) for N pixels. Only a pyramid's filters need J."""
     uv, jacobian, bias = footprint
     bias = np.broadcast_to(bias, uv.shape[:-1]).reshape(-1)
-    if jacobian is None or "mipmap" not in filter:
+    if jacobian is None or "mipmap" not in filter_mode:
         return bias
     return mip_level(jacobian.reshape(-1, 2, 2), mipmap.width[0], mipmap.height[0]) + bias
 
@@ -270,10 +270,11 @@ def footprint_level_backward(grad_level, footprint, mipmap):
 
 
 @has_kernels("texel_kernels")
-def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None):
+def texture(image, uv, jacobian=None, bias=0.0, filter_mode="linear", boundary="wrap",
+            max_level=None):
     """The colour at (u, v), for each pixel of a picture.
 
-    image (h, w, C), uv (..., 2) -> colour (..., C). filter: "nearest" and "linear" look at the
+    image (h, w, C), uv (..., 2) -> colour (..., C). filter_mode: "nearest" and "linear" look at the
     texture alone. "linear-mipmap-nearest" and "linear-mipmap-linear" look at its pyramid: at the
     floor of each pixel's level, or at two levels, eq. (7). The level is that of jacobian
     (..., 2, 2), d(u, v)/d(x, y), plus bias, (...) or a number; without a jacobian it is the bias.
@@ -281,23 +282,23 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
 
     All arrays are read as float64. ValueError for what does not fit, and for NaN or infinity in uv.
     """
-    sampler = Sampler(filter, boundary, max_level)
+    sampler = Sampler(filter_mode, boundary, max_level)
     image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
-    return filtered(pyramid(image, max_level if "mipmap" in filter else 0), footprint, sampler)
+    return filtered(pyramid(image, max_level if "mipmap" in filter_mode else 0), footprint, sampler)
 
 
 @has_kernels("texel_kernels")
-def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
+def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter_mode="linear",
                      boundary="wrap", max_level=None):
     """Backward of `texture`: grad_colour (..., C) -> grad_image, grad_uv, grad_jacobian, grad_bias.
 
     Each has its argument's shape (None for a jacobian that is None), and is 0 where the argument
     does not matter: uv for "nearest", jacobian and bias for all but "linear-mipmap-linear".
     """
-    sampler = Sampler(filter, boundary, max_level)
+    sampler = Sampler(filter_mode, boundary, max_level)
     image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
     grad_colour = require_gradient(grad_colour, image, footprint)
-    levels = pyramid(image, max_level if "mipmap" in filter else 0)
+    levels = pyramid(image, max_level if "mipmap" in filter_mode else 0)
     grad_levels, *grads = filtered_backward(grad_colour, levels, footprint, sampler)
     return pyramid_backward(grad_levels), *grads
 
@@ -338,4 +339,4 @@ def look_ups(mipmap, footprint, sampler):
 def places(mipmap, footprint, sampler):
     """Where the N pixels of a Footprint look: uv (N, 2) and level (N,)."""
     return (near_texture(footprint.uv, sampler.boundary).reshape(-1, 2),
-            footprint_level(footprint, mipmap, sampler.filter))
+            footprint_level(footprint, mipmap, sampler.filter_mode))

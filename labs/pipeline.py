@@ -57,7 +57,7 @@ class Texture(NamedTuple):
     uv: np.ndarray
     uv_faces: np.ndarray
     image: np.ndarray
-    filter: str = "linear-mipmap-linear"
+    filter_mode: str = "linear-mipmap-linear"
 
 
 class View(NamedTuple):
@@ -87,7 +87,7 @@ class Buffers(NamedTuple):
 class Gradients(NamedTuple):
     """The gradients of a loss with respect to a scene: positions (V, 3), clip_from_model (4, 4).
 
-    material is a Colours or a Texture of gradients. In a Texture, uv_faces and filter are None.
+    material is a Colours or a Texture of gradients, whose uv_faces and filter_mode are None.
     """
 
     positions: np.ndarray
@@ -259,7 +259,7 @@ def textured(seen, faces, material):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
     derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
     at, footprint = footprints(material.uv, material.uv_faces, seen, derivatives)
-    colour = mipmapping.texture(material.image, at, footprint, filter=material.filter)
+    colour = mipmapping.texture(material.image, at, footprint, filter_mode=material.filter_mode)
     return masked_scatter(colour, seen.face_index >= 0)
 
 
@@ -271,7 +271,7 @@ def textured_backward(grad_colour, buffers, faces, material):
     derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip, faces)
     at, footprint = footprints(material.uv, material.uv_faces, buffers, derivatives)
     grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
-        grad_colour[seen], material.image, at, footprint, filter=material.filter)
+        grad_colour[seen], material.image, at, footprint, filter_mode=material.filter_mode)
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
     uv_at = material.uv, material.uv_faces, buffers.face_index
     by_place, grad_barycentric = interpolation.interpolate_backward(

@@ -176,7 +176,7 @@ def face_footprint_backward(grad_footprint, directions, jacobian):
 
 # --- look-ups ------------------------------------------------------------------------------------
 
-def cube_pyramid(image, filter, max_level):
+def cube_pyramid(image, filter_mode, max_level):
     """The levels of six faces, which stand one above the other in image (6 n, n, C).
 
     No mean is over two faces, as it ends where n is odd.
@@ -184,7 +184,7 @@ def cube_pyramid(image, filter, max_level):
     size = image.shape[1]
     halvings = (size & -size).bit_length() - 1  # how often size can be divided by 2
     top = halvings if max_level is None else min(halvings, max_level)
-    return pyramid(image, top if "mipmap" in filter else 0)
+    return pyramid(image, top if "mipmap" in filter_mode else 0)
 
 
 def pack_cube(levels):
@@ -193,12 +193,12 @@ def pack_cube(levels):
     return mipmap._replace(height=mipmap.width)
 
 
-def cube_texels(face, uv, size, filter):
+def cube_texels(face, uv, size, filter_mode):
     """Eqs. (1) to (3) on a cube of 6 size^2 texels: index, weight, missing (K, N), K = 1 or 4.
 
     missing: the fourth texel at a corner of the cube. Its weight goes to the others in thirds.
     """
-    if filter == "nearest":
+    if filter_mode == "nearest":
         column, row = np.minimum(nearest_texel(uv.T, size), size - 1)
         index = (face * size + row) * size + column
         return index[None], np.ones((1, len(uv))), np.zeros((1, len(uv)), bool)
@@ -222,16 +222,16 @@ def four_texels(face, columns, rows, size):
     return np.where(missing, 0, (face * size + row) * size + column), missing
 
 
-def cube_map_taps(face, uv, level, mipmap, filter):
+def cube_map_taps(face, uv, level, mipmap, filter_mode):
     """The texels that make a colour: index, weight, missing (N, K), as `taps` of mipmapping.py."""
     found = []
-    for at, share in mixture(level, filter, len(mipmap.start) - 1):
-        index, weight, missing = cube_texels(face, uv, mipmap.width[at], filter)
+    for at, share in mixture(level, filter_mode, len(mipmap.start) - 1):
+        index, weight, missing = cube_texels(face, uv, mipmap.width[at], filter_mode)
         found.append((mipmap.start[at] + index, share * weight, missing))
     return tuple(part.T.copy() for part in map(np.concatenate, zip(*found, strict=True)))
 
 
-def cube_map_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
+def cube_map_taps_backward(grad_weight, missing, uv, level, mipmap, filter_mode):
     """Backward of `cube_map_taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
     # A missing texel's weight went to the other three in thirds, so its gradient is the mean of
     # theirs. After that, all is as on a texture that has no border.
@@ -241,74 +241,74 @@ def cube_map_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
         mean = grad.sum(2, keepdims=True) / 3
         grad_weight = np.where(missing.reshape(grad.shape), mean, grad).reshape(N, K)
     return taps_backward(grad_weight, np.ones(missing.shape, bool), uv, level, mipmap,
-                         Sampler(filter, "clamp", None))
+                         Sampler(filter_mode, "clamp", None))
 
 
-def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", max_level=None):
+def cube_texture(faces, directions, jacobian=None, bias=0.0, filter_mode="linear", max_level=None):
     """The colour that each pixel's direction sees on a cube map.
 
     faces (6, n, n, C), in the order +x, -x, +y, -y, +z, -z, directions (..., 3) -> colour (..., C).
-    filter, bias and max_level are those of `texture` in mipmapping.py; jacobian (..., 3, 2) is
+    filter_mode, bias and max_level are those of `texture` in mipmapping.py; jacobian (..., 3, 2) is
     d(direction)/d(x, y). A direction shorter than SHORTEST, such as 0, has colour 0, no gradient.
 
     All arrays are read as float64. ValueError for what does not fit.
     """
-    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
-    return cube_filtered(cube_pyramid(image, filter, max_level), look, filter)
+    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter_mode, max_level)
+    return cube_filtered(cube_pyramid(image, filter_mode, max_level), look, filter_mode)
 
 
-def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.0, filter="linear",
-                          max_level=None):
+def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.0,
+                          filter_mode="linear", max_level=None):
     """Backward of `cube_texture`: grad_colour (..., C) -> grad_faces, grad_directions,
     grad_jacobian, grad_bias, each of its argument's shape (None for a jacobian that is None).
     """
-    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
+    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter_mode, max_level)
     grad_colour = require_gradient(grad_colour, image, look)
-    levels = cube_pyramid(image, filter, max_level)
-    grad_levels, *grads = cube_filtered_backward(grad_colour, levels, look, filter)
+    levels = cube_pyramid(image, filter_mode, max_level)
+    grad_levels, *grads = cube_filtered_backward(grad_colour, levels, look, filter_mode)
     return pyramid_backward(grad_levels).reshape(np.shape(faces)), *grads
 
 
-def cube_filtered(levels, look, filter):
+def cube_filtered(levels, look, filter_mode):
     """The colours (..., C) that a Footprint of directions sees of a cube's levels."""
     mipmap = pack_cube(levels)
-    seen, _, places = cube_places(mipmap, look, filter)
+    seen, _, places = cube_places(mipmap, look, filter_mode)
 
     def colours(*place):
-        index, weight, _ = cube_map_taps(*place, mipmap, filter)
+        index, weight, _ = cube_map_taps(*place, mipmap, filter_mode)
         return look_up(mipmap.texels, index, weight)
 
     return masked_scatter(in_parts(colours, *places), seen)
 
 
-def cube_filtered_backward(grad_colour, levels, look, filter):
+def cube_filtered_backward(grad_colour, levels, look, filter_mode):
     """Backward of `cube_filtered`: grad_colour (N, C) -> a gradient for each level,
     grad_directions, grad_jacobian, grad_bias.
     """
     mipmap = pack_cube(levels)
     # `cube_filtered` read upwards: the look-up, its taps, the level, the direction.
-    seen, footprint, places = cube_places(mipmap, look, filter)
-    index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter), *places)
+    seen, footprint, places = cube_places(mipmap, look, filter_mode)
+    index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter_mode), *places)
     grad_texels, grad_weight = look_up_backward(grad_colour[seen.ravel()], mipmap.texels, index,
                                                 weight)
-    grad_uv, grad_level = in_parts(lambda *at: cube_map_taps_backward(*at, mipmap, filter),
+    grad_uv, grad_level = in_parts(lambda *at: cube_map_taps_backward(*at, mipmap, filter_mode),
                                    grad_weight, missing, *places[1:])
     grad_footprint, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     grads = on_faces_backward(Footprint(grad_uv, grad_footprint, grad_bias), look, seen)
     return unpack(grad_texels, pack(levels)), *grads
 
 
-def cube_look_ups(mipmap, look, filter):
+def cube_look_ups(mipmap, look, filter_mode):
     """Which pixels see anything (...), and of these N the `cube_map_taps`, all three."""
-    seen, _, places = cube_places(mipmap, look, filter)
-    return seen, *in_parts(lambda *place: cube_map_taps(*place, mipmap, filter), *places)
+    seen, _, places = cube_places(mipmap, look, filter_mode)
+    return seen, *in_parts(lambda *place: cube_map_taps(*place, mipmap, filter_mode), *places)
 
 
-def cube_places(mipmap, look, filter):
+def cube_places(mipmap, look, filter_mode):
     """Which pixels see anything (...), and of these N the Footprint, and face, uv and level."""
     seen = (np.abs(look.uv) > SHORTEST).any(-1)
     face, footprint = on_faces(look, seen)
-    return seen, footprint, (face, footprint.uv, footprint_level(footprint, mipmap, filter))
+    return seen, footprint, (face, footprint.uv, footprint_level(footprint, mipmap, filter_mode))
 
 
 def on_faces(look, seen):
@@ -339,7 +339,7 @@ def on_faces_backward(grad, look, seen):
     return masked_scatter(grad_directions, seen), grad_jacobian, grad_bias
 
 
-def require_cube(faces, look, filter, max_level):
+def require_cube(faces, look, filter_mode, max_level):
     """The arguments of `cube_texture`, look a Footprint with directions for uv -> the six faces one
     above the other (6 n, n, C), and look, as float64. ValueError if they do not fit.
     """
@@ -347,4 +347,4 @@ def require_cube(faces, look, filter, max_level):
     require(faces.ndim == 4 and faces.size and len(faces) == 6 and faces.shape[1] == faces.shape[2],
             "faces (6, n, n, C) with at least one texel each", faces.shape)
     return require_texture(faces.reshape(-1, *faces.shape[2:]), look,
-                           Sampler(filter, "clamp", max_level), axes=3)
+                           Sampler(filter_mode, "clamp", max_level), axes=3)

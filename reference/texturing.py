@@ -41,7 +41,7 @@ class Footprint(NamedTuple):
 class Sampler(NamedTuple):
     """How a texture is read."""
 
-    filter: str
+    filter_mode: str
     boundary: str
     max_level: int | None
 
@@ -176,13 +176,13 @@ def near_texture(x, boundary):
     return x - np.trunc(x) if boundary == "wrap" else np.clip(x, -1, 2)
 
 
-def texels_on_axis(x, size, filter, boundary):
+def texels_on_axis(x, size, filter_mode, boundary):
     """Eqs. (1) and (2): index, weight, inside (K, N) of the K texels at x (N,), K = 1 or 2.
 
-    filter "nearest" has one, any other has two. size is a number or (N,). Where not inside, the
-    weight is 0.
+    filter_mode "nearest" has one, any other has two. size is a number or (N,). Where not inside,
+    the weight is 0.
     """
-    if filter == "nearest":
+    if filter_mode == "nearest":
         index = nearest_texel(x, size)[None]
         weight = np.ones(index.shape)
     else:
@@ -197,12 +197,12 @@ def each_pair(combine, rows, columns):
     return pairs.reshape(len(rows)**2, -1)
 
 
-def texels_at(uv, width, height, filter, boundary):
+def texels_at(uv, width, height, filter_mode, boundary):
     """Eqs. (1) to (3): index, weight, inside (K, N) of the texels that uv (N, 2) looks up, K = 1
     or 4. Texels count row by row. width and height are numbers or (N,).
     """
-    column, column_weight, column_inside = texels_on_axis(uv[:, 0], width, filter, boundary)
-    row, row_weight, row_inside = texels_on_axis(uv[:, 1], height, filter, boundary)
+    column, column_weight, column_inside = texels_on_axis(uv[:, 0], width, filter_mode, boundary)
+    row, row_weight, row_inside = texels_on_axis(uv[:, 1], height, filter_mode, boundary)
     index = each_pair(np.add, row * width, column)
     weight = each_pair(np.multiply, row_weight, column_weight)
     inside = each_pair(np.logical_and, row_inside, column_inside)
@@ -299,8 +299,8 @@ def require_gradient(grad_colour, image, footprint):
 
 def require_texture(image, footprint, sampler, axes=2):
     """The arguments of `texture` -> image, footprint as float64. ValueError if they do not fit."""
-    filter, boundary, max_level = sampler
-    require(filter in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter))
+    filter_mode, boundary, max_level = sampler
+    require(filter_mode in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter_mode))
     require(boundary in BOUNDARIES, f"a boundary out of {', '.join(BOUNDARIES)}", repr(boundary))
     require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
             max_level)

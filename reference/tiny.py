@@ -4,17 +4,15 @@
               <-        <---------------               <-                 <-       inside of faces
                         <---------------------------------                         at outlines
 
-A closed mesh has V points with a colour each, and F faces, its triangles: the numbers of three
-points, counter-clockwise seen from outside. A picture has size x size pixels, row 0 at the bottom.
-The loss says how far it is from another one. grad_x is the gradient of the loss with respect to x:
-how fast the loss grows with each number of x. f_backward takes this of what f returned, and returns
-it of what f took. (Lab n) derives a step. Left out: speed, and faces behind the camera.
+A closed mesh in front of the camera has V points with a colour each, and F faces: the numbers of
+three points, counter-clockwise seen from outside. The loss says how far a picture is from another.
+grad_x is how fast the loss grows with x. f_backward takes this of what f returned, and returns it
+of what f took. (Lab n) derives a step.
 
 Which face a pixel sees has no gradient: it jumps. So two neighbouring pixels are blended by where
 an outline crosses between them. This place has a gradient.
 
-`python3 reference/tiny.py` checks one derivative, and pulls a ball until it looks like a star.
-tiny.ppm, a file that most viewers open, shows the ball, what became of it, and the star.
+`python3 reference/tiny.py` checks one derivative, and pulls a ball to a star, seen in tiny.ppm.
 """
 import numpy as np
 
@@ -48,55 +46,44 @@ def edge_functions(x, y):
     return np.stack([x[i] * y[j] - y[i] * x[j] for i, j in EDGES])
 
 
-def face_areas(x, y, faces):
-    """Twice the area of each face on the screen (F,), negative where its back is seen."""
-    return edge_functions(x[faces.T], y[faces.T]).sum(0)
-
-
-def rasterize(x, y, depth, faces, size):
+def rasterize(x, y, depth, faces, area, size):
     """(Lab 2) Which face is nearest at each pixel's centre, -1 for none, and its depth there."""
-    seen = np.full((size, size), -1)
-    nearest = np.full((size, size), np.inf)
     row, column = np.mgrid[:size, :size]  # of each pixel, with its centre half a pixel further
-    area = face_areas(x, y, faces)
-    for face in np.flatnonzero(area > 0):
-        corner = faces[face].reshape(3, 1, 1)
-        share = edge_functions(x[corner] - column - 0.5, y[corner] - row - 0.5) / area[face]
-        face_depth = (share * depth[corner]).sum(0)  # a mean, as the shares add up to 1
-        nearer = (share >= 0).all(0) & (face_depth < nearest)
-        seen[nearer] = face
-        nearest[nearer] = face_depth[nearer]
-    return seen, nearest
+    front = np.flatnonzero(area > 0)  # the other faces turn their backs
+    corner = faces[front].T[..., None, None]
+    e = edge_functions(x[corner] - column - 0.5, y[corner] - row - 0.5)
+    share = e / e.sum(0)
+    face_depth = np.where((share >= 0).all(0), (share * depth[corner]).sum(0), np.inf)
+    nearest = face_depth.min(0)
+    return np.where(nearest < np.inf, front[face_depth.argmin(0)], -1), nearest
 
 
 def interpolate(colours, x, y, w, faces, seen):
-    """(Lab 5) The plain picture: pixels get a mean of their face's corners, sum b_k colour_k.
+    """(Lab 5) The plain picture, a pixel a row: the mean of its face's corners, sum b_k colour_k.
 
     b_k = c_k / s, where c_k = e_k / w_k, and s is their sum. Without w_k, what is in the middle on
     the screen would be taken from the middle of the face. But its far half looks smaller.
     """
-    row, column = np.nonzero(seen >= 0)
+    pixel = np.flatnonzero(seen >= 0)
+    row, column = np.divmod(pixel, len(seen))
     corner = faces[seen[row, column]].T  # (3, N), for N pixels
     to_x = x[corner] - column - 0.5
     to_y = y[corner] - row - 0.5
     c = edge_functions(to_x, to_y) / w[corner]
     s = c.sum(0)
     b = c / s
-    picture = np.zeros((*seen.shape, colours.shape[1]))
-    picture[row, column] = (b[..., None] * colours[corner]).sum(0)
-    return picture, (row, column, corner, to_x, to_y, b, s)
+    picture = np.zeros((seen.size, colours.shape[1]))
+    picture[pixel] = (b[..., None] * colours[corner]).sum(0)
+    return picture, (pixel, corner, to_x, to_y, b, s)
 
 
 def interpolate_backward(grad_picture, kept, colours, w):
-    """(Lab 7) -> grad_colours (V, C), grad_x, grad_y, grad_w (V,).
-
-    A point is a corner for many pixels: np.add.at adds up what comes back from all of them.
-    """
-    row, column, corner, to_x, to_y, b, s = kept
+    """(Lab 7) -> grad_colours (V, C), grad_x, grad_y, grad_w (V,)."""
+    pixel, corner, to_x, to_y, b, s = kept
     grad_colours = np.zeros(colours.shape)
     grad_x, grad_y, grad_w = np.zeros((3, len(colours)))
-    grad = grad_picture[row, column]
-    np.add.at(grad_colours, corner, b[..., None] * grad)  # each corner gave b of its colour
+    grad = grad_picture[pixel]
+    np.add.at(grad_colours, corner, b[..., None] * grad)  # adds up what many pixels want of a point
     grad_b = (grad * colours[corner]).sum(-1)  # over the channels
     grad_c = (grad_b - (b * grad_b).sum(0)) / s  # b_k = c_k / s, and each c_k is a part of s
     grad_e = grad_c / w[corner]
@@ -107,19 +94,18 @@ def interpolate_backward(grad_picture, kept, colours, w):
     return grad_colours, grad_x, grad_y, grad_w
 
 
-def outlines(x, y, faces):
+def outlines(faces, area):
     """(Lab 8) Is edge k of a face an outline, between a face's front and another's back? (F, 3)"""
     face_at = {(face[i], face[j]): number for number, face in enumerate(faces) for i, j in EDGES}
     beyond = np.array([[face_at[face[j], face[i]] for i, j in EDGES] for face in faces])
-    area = face_areas(x, y, faces)
     return area[:, None] * area[beyond] <= 0
 
 
-def row_pairs(x, y, faces, seen, nearest, number):
+def row_pairs(x, y, faces, outline, seen, nearest, number):
     """(Lab 8) Neighbours in a row that see different faces, with an outline between their centres.
 
-    It is an outline of the nearer face. The line y = row + 0.5 runs through both centres. On the
-    way from the nearer face's pixel it leaves that face by the last edge that it meets.
+    The line y = row + 0.5 runs through both centres. From the nearer face's pixel on, it leaves
+    that face by the last edge that it meets. This one must be the outline.
     """
     row, column = np.nonzero(seen[:, :-1] != seen[:, 1:])  # of the left pixel
     is_left = nearest[row, column] < nearest[row, column + 1]  # is the left face the nearer one?
@@ -130,114 +116,89 @@ def row_pairs(x, y, faces, seen, nearest, number):
     rise = np.where(meets, y[end] - y[start], np.inf)  # never divide by 0
     slope = (x[end] - x[start]) / rise
     share = (row + 0.5 - y[start]) / rise  # how far from start to end the edge meets the line
-    crossing = x[start] + share * (x[end] - x[start])
-    last = np.where(meets, np.where(is_left, crossing, -crossing), -np.inf).argmax(0)
-    start, end, meets, slope, share, crossing = (
-        np.choose(last, part) for part in (start, end, meets, slope, share, crossing))
-    alpha = column + 1 - crossing  # how far left of the border between the two pixels
+    alpha = column + 1 - x[start] - share * (x[end] - x[start])  # and how far left of the border
+    last = np.where(meets, np.where(is_left, -alpha, alpha), -np.inf).argmax(0) == [[0], [1], [2]]
     # Flatter outlines are left to the pairs in columns.
-    kept = outlines(x, y, faces)[face, last] & meets & (abs(slope) <= 1) & (abs(alpha) <= 0.5)
-    pairs = (number[row, column], number[row, column + 1], alpha,
-             np.stack([start, end]), np.stack([1 - share, share]), slope)
-    return [part[..., kept] for part in pairs]
+    kept = last & meets & outline[face].T & (abs(slope) <= 1) & (abs(alpha) <= 0.5)
+    pair = np.nonzero(kept)[1]
+    return (number[row, column][pair], number[row, column + 1][pair], alpha[kept],
+            np.stack([start, end])[:, kept], np.stack([1 - share, share])[:, kept], slope[kept])
 
 
-def blend(picture, pairs):
-    """(Lab 8) Let the colour change at the outline, and not at the border between two pixels.
-
-    If it crosses in the first pixel, the part alpha of that one gets the second one's colour. Else
-    alpha <= 0, and the part -alpha of the second one gets the first one's.
-    """
-    flat = picture.reshape(-1, picture.shape[2])
-    blended = flat.copy()
+def blend(plain, pairs):
+    """(Lab 8) Let the colour change at the outline, and not at the border between two pixels."""
+    picture = plain.copy()
     for first, second, alpha, *_ in pairs:
+        # alpha of the first pixel gets the second's colour, or -alpha of the second the first's.
         crossed = np.where(alpha > 0, first, second)
-        np.add.at(blended, crossed, alpha[:, None] * (flat[second] - flat[first]))
-    return blended.reshape(picture.shape)
+        np.add.at(picture, crossed, alpha[:, None] * (plain[second] - plain[first]))
+    return picture
 
 
-def blend_backward(grad_blended, picture, pairs, count):
-    """(Lab 8) -> grad_picture, and for count points grad_x, grad_y.
-
-    alpha falls as the crossing grows, and that is (1 - share) x_start + share x_end in a row. An
-    end that moves up by dy moves the crossing as much as one that moves left by slope dy.
-    """
-    flat = picture.reshape(-1, picture.shape[2])
-    grad_flat = grad_blended.reshape(flat.shape)
-    grad_picture = grad_flat.copy()
+def blend_backward(grad_picture, plain, pairs, count):
+    """(Lab 8) -> grad_plain, and for count points grad_x, grad_y."""
+    grad_plain = grad_picture.copy()
     grad_x, grad_y = np.zeros((2, count))
-    in_rows, in_columns = pairs
-    for grad_along, grad_across, kept in (grad_x, grad_y, in_rows), (grad_y, grad_x, in_columns):
+    for kept, along, across in zip(pairs, [grad_x, grad_y], [grad_y, grad_x], strict=True):
         first, second, alpha, ends, shares, slope = kept
-        grad_crossed = grad_flat[np.where(alpha > 0, first, second)]
-        np.add.at(grad_picture, second, alpha[:, None] * grad_crossed)
-        np.add.at(grad_picture, first, -alpha[:, None] * grad_crossed)
-        grad_alpha = (grad_crossed * (flat[second] - flat[first])).sum(1)
-        np.add.at(grad_along, ends, -grad_alpha * shares)
-        np.add.at(grad_across, ends, grad_alpha * shares * slope)
-    return grad_picture.reshape(picture.shape), grad_x, grad_y
+        grad = grad_picture[np.where(alpha > 0, first, second)]
+        np.add.at(grad_plain, second, alpha[:, None] * grad)
+        np.add.at(grad_plain, first, -alpha[:, None] * grad)
+        grad_alpha = (grad * (plain[second] - plain[first])).sum(1)
+        # alpha falls as the crossing grows: in a row (1 - share) x_start + share x_end. An end that
+        # moves up by dy moves it as much as one that moves left by slope dy.
+        np.add.at(along, ends, -grad_alpha * shares)
+        np.add.at(across, ends, grad_alpha * shares * slope)
+    return grad_plain, grad_x, grad_y
 
 
 def render(positions, colours, faces, camera, size):
-    """(Lab 9) A mesh with colours (V, C) -> picture (size, size, C), and what is kept."""
+    """(Lab 9) A mesh -> picture (size, size, C), row 0 at the bottom, and what is kept."""
     x, y, depth, w = screen_points(positions, camera, size)
-    seen, nearest = rasterize(x, y, depth, faces, size)
+    area = edge_functions(x[faces.T], y[faces.T]).sum(0)  # twice, and < 0 where its back is seen
+    seen, nearest = rasterize(x, y, depth, faces, area, size)
     plain, inside = interpolate(colours, x, y, w, faces, seen)
+    outline = outlines(faces, area)
     number = np.arange(size * size).reshape(size, size)  # of each pixel
-    pairs = (row_pairs(x, y, faces, seen, nearest, number),
-             row_pairs(y, x, faces, seen.T, nearest.T, number.T))  # columns become rows
-    return blend(plain, pairs), (x, y, w, plain, inside, pairs)
+    pairs = (row_pairs(x, y, faces, outline, seen, nearest, number),
+             row_pairs(y, x, faces, outline, seen.T, nearest.T, number.T))  # columns become rows
+    return blend(plain, pairs).reshape(size, size, -1), (x, y, w, plain, inside, pairs)
 
 
 def render_backward(grad_picture, kept, colours, camera):
     """(Lab 9) -> grad_positions (V, 3), grad_colours (V, C)."""
     x, y, w, plain, inside, pairs = kept
-    grad_plain, outline_x, outline_y = blend_backward(grad_picture, plain, pairs, len(x))
+    grad_plain, outline_x, outline_y = blend_backward(
+        grad_picture.reshape(plain.shape), plain, pairs, len(x))
     grad_colours, grad_x, grad_y, grad_w = interpolate_backward(grad_plain, inside, colours, w)
     grad_positions = screen_points_backward(
-        grad_x + outline_x, grad_y + outline_y, grad_w, x, y, w, camera, len(plain))
+        grad_x + outline_x, grad_y + outline_y, grad_w, x, y, w, camera, len(grad_picture))
     return grad_positions, grad_colours
 
 
-def loss_and_gradients(positions, colours, faces, camera, target):
-    """(Lab 9) The mean squared error of a picture -> loss, grad_positions, grad_colours."""
-    picture, kept = render(positions, colours, faces, camera, len(target))
-    error = picture - target
-    return (error**2).mean(), *render_backward(2 * error / error.size, kept, colours, camera)
-
-
-def descend(positions, colours, faces, camera, target, steps=400):
-    """(Labs 9, 13) Go against the gradient, step by step.
-
-    It pulls single points, at outlines. smooth spreads that over their neighbours, and velocity
-    keeps what steps have in common.
-    """
-    joined = np.zeros((len(positions), len(positions)))
-    for i, j in EDGES:
-        joined[faces[:, i], faces[:, j]] = 1  # each edge is in two faces, once from either end
-    laplacian = np.diag(joined.sum(0)) - joined  # a point's neighbours times it, less all of them
-    smooth = np.linalg.inv(np.eye(len(positions)) + laplacian)
+def descend(positions, colours, faces, camera, target, steps=300):
+    """(Labs 9, 13) Go against the gradient of the loss, sum (picture - target)^2, step by step."""
+    near = np.exp(-2 * np.linalg.norm(positions[:, None] - positions, axis=2))
     velocity = 0
     for step in range(steps):
-        _, grad_x, grad_colours = loss_and_gradients(positions, colours, faces, camera, target)
-        velocity = 0.8 * velocity + smooth @ grad_x
-        positions = positions - 0.03 * 0.995**step * velocity / np.abs(velocity).max()
-        colours = colours - 60 * grad_colours * [1, 1, 1, 0]  # the fourth says where a face is
+        picture, kept = render(positions, colours, faces, camera, len(target))
+        grad_x, grad_colours = render_backward(2 * (picture - target), kept, colours, camera)
+        velocity = 0.8 * velocity + near @ grad_x  # what steps and neighbours have in common
+        positions = positions - 0.03 * 0.994**step * velocity / np.abs(velocity).max()
+        colours = colours - 0.004 * grad_colours * [1, 1, 1, 0]  # the fourth: where a face is
     return positions, colours
 
 
 def ball(steps):
     """(Lab 11) An octahedron, each face cut in four, steps times -> points (V, 3), faces (F, 3)."""
     right, up, front = np.eye(3)
-    around = [right, up, -right, -up]
-    triangles = np.array([[front, around[k - 1], around[k]] for k in range(4)]
-                         + [[-front, around[k], around[k - 1]] for k in range(4)])
-    for _ in range(steps):
-        a, b, c = triangles.transpose(1, 0, 2)
-        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
-        quarters = [a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]
-        triangles = np.concatenate([np.stack(quarter, 1) for quarter in quarters])
-    points, faces = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
+    sides = [(right, up), (up, -right), (-right, -up), (-up, right)]
+    triangles = [(a, b, front) for a, b in sides] + [(b, a, -front) for a, b in sides]
+    for _ in range(steps):  # each time all is twice as large
+        triangles = [quarter for a, b, c in triangles for quarter in [
+            (a + a, a + b, a + c), (b + a, b + b, b + c), (c + a, c + b, c + c),
+            (a + b, b + c, c + a)]]
+    points, faces = np.unique(np.reshape(triangles, (-1, 3)), axis=0, return_inverse=True)
     return points / np.linalg.norm(points, axis=1, keepdims=True), faces.reshape(-1, 3)
 
 
@@ -250,15 +211,15 @@ def main(size=64):
     paint = np.insert(0.5 + 0.5 * np.sin(3 * positions + np.arange(3)), 3, 1, axis=1)
     grey = np.full(paint.shape, [0.5, 0.5, 0.5, 1])  # red, green, blue, and 1 where a face is
     target, _ = render(star, paint, faces, camera, size)
-    start, _ = render(positions, grey, faces, camera, size)
-    before, grad_x, _ = loss_and_gradients(positions, grey, faces, camera, target)
-    bump = np.zeros(positions.shape)
-    bump.flat[grad_x.argmax()] = 1e-6  # one coordinate of one point
-    up, *_ = loss_and_gradients(positions + bump, grey, faces, camera, target)
-    down, *_ = loss_and_gradients(positions - bump, grey, faces, camera, target)
-    print(f"one derivative, backward {grad_x.max():.9f}, by a difference {(up - down) / 2e-6:.9f}")
+    start, kept = render(positions, grey, faces, camera, size)
+    grad_x, _ = render_backward(2 * (start - target), kept, grey, camera)
+    move = np.array([0, 0, 1e-6])  # the whole ball, towards the camera
+    closer, _ = render(positions + move, grey, faces, camera, size)
+    farther, _ = render(positions - move, grey, faces, camera, size)
+    difference = ((closer - target)**2 - (farther - target)**2).sum() / 2e-6
+    print(f"one derivative, backward {grad_x[:, 2].sum():.7f}, by a difference {difference:.7f}")
     found, _ = render(*descend(positions, grey, faces, camera, target), faces, camera, size)
-    print("loss before, after:", before.round(4), ((found - target)**2).mean().round(4))
+    print("loss:", ((start - target)**2).sum().round(1), ((found - target)**2).sum().round(1))
     shown = np.hstack([start, found, target])[..., :3].clip(0, 1)**(1 / 2.2)  # as displays want it
     large = np.uint8(255 * shown[::-1]).repeat(4, 0).repeat(4, 1)  # a file begins at the top
     with open("tiny.ppm", "wb") as file:

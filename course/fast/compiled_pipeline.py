@@ -236,7 +236,7 @@ def textured(clip, face_index, material, faces):
     at, footprint = footprint_kernels.footprints(*looked_up(clip, face_index, material, faces))
     picture = np.zeros((*face_index.shape, material.image.shape[2]))
     picture[face_index >= 0] = texel_kernels.texture(material.image, at, footprint,
-                                                     filter=material.filter)
+                                                     filter_mode=material.filter_mode)
     return picture
 
 
@@ -245,7 +245,8 @@ def textured_backward(grad_colour, clip, face_index, material, faces):
     where = looked_up(clip, face_index, material, faces)
     at, footprint = footprint_kernels.footprints(*where)
     grad_image, grad_at, grad_footprint, _ = texel_kernels.texture_backward(
-        grad_colour[face_index >= 0], material.image, at, footprint, filter=material.filter)
+        grad_colour[face_index >= 0], material.image, at, footprint,
+        filter_mode=material.filter_mode)
     grad_uv, grad_clip = footprint_kernels.footprints_backward(grad_at, grad_footprint, *where)
     return pipeline.Texture(grad_uv, None, grad_image, None), grad_clip
 

@@ -103,9 +103,10 @@ def half_plane(p, q, sign):
     w_p, w_q = abs(p.w), abs(q.w)
     at_p = (w_p > w_q) | ((w_p == w_q) & ((p.x < q.x) | ((p.x == q.x) & (p.y <= q.y))))
     x, y = p.x if at_p else q.x, p.y if at_p else q.y
-    opens = (n_x > 0) | ((n_x == 0) & (n_y > 0))
+    is_top_left = (n_x > 0) | ((n_x == 0) & (n_y > 0))  # as in rasterization.py
     slope = max(abs(n_x), TINY)
-    return Edge(opens, slope, 1 / slope, n_y if opens else -n_y, 0.0 if n_x == 0 else x, y)
+    return Edge(is_top_left, slope, 1 / slope, n_y if is_top_left else -n_y,
+                0.0 if n_x == 0 else x, y)
 
 
 @kernel

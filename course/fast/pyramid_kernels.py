@@ -111,7 +111,7 @@ def between_levels(halve, pyramid, level, rows, channels):
 
 def make_pyramid(image, sampler, channels):
     """`mipmapping.pyramid`, of image (h, w, C), for a sampler."""
-    levels = mipmapping.pyramid(image[..., :0], sampler.max_level if "mipmap" in sampler.filter
+    levels = mipmapping.pyramid(image[..., :0], sampler.max_level if "mipmap" in sampler.filter_mode
                                 else 0)  # only their shapes
     height, width, _ = np.transpose([level.shape for level in levels])
     count = height * width * image.shape[2]

@@ -266,12 +266,12 @@ def make_looks(flat, pyramid, sampler):
     shared = flat.uv, BOUNDARIES.index(sampler.boundary), level, fraction
     top = len(pyramid.start) - 1
     last = (pyramid.smaller if top else pyramid.image)[pyramid.start[-1]:]
-    blends = sampler.filter == "linear-mipmap-linear"
+    blends = sampler.filter_mode == "linear-mipmap-linear"
     # Where a texel is not finite, neither is the last level, and 0 times it is NaN.
     always = not np.isfinite(last).all()
 
     def band(first, end):
-        if "mipmap" in sampler.filter:
+        if "mipmap" in sampler.filter_mode:
             pyramid_kernels.levels_of(flat, pyramid, first, end, level)
         return Looks(*shared, *find_runs(level, top, blends, always, (first, end), fraction))
 
@@ -289,12 +289,13 @@ def prepared(image, footprint, sampler):
     return make_looks(flat, pyramid, sampler), pyramid, footprint, flat, channels
 
 
-def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None):
+def texture(image, uv, jacobian=None, bias=0.0, filter_mode="linear", boundary="wrap",
+            max_level=None):
     """As `mipmapping.texture`."""
     bands, pyramid, footprint, _, channels = prepared(image, Footprint(uv, jacobian, bias),
-                                                      Sampler(filter, boundary, max_level))
+                                                      Sampler(filter_mode, boundary, max_level))
     colour = np.zeros((*footprint.uv.shape[:-1], len(channels)))
-    look_up = pick if filter == "nearest" else mix
+    look_up = pick if filter_mode == "nearest" else mix
 
     def band(looks):
         look_up(looks, pyramid, colour.reshape(-1), channels)
@@ -303,16 +304,16 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
     return colour
 
 
-def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
+def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter_mode="linear",
                      boundary="wrap", max_level=None):
     """As `mipmapping.texture_backward`."""
     bands, pyramid, footprint, flat, channels = prepared(image, Footprint(uv, jacobian, bias),
-                                                         Sampler(filter, boundary, max_level))
+                                                         Sampler(filter_mode, boundary, max_level))
     grad_colour = require_gradient(grad_colour, image, footprint).ravel()
     grads = pyramid._replace(image=np.zeros(pyramid.image.size),
                              smaller=np.zeros(pyramid.smaller.size))
     grad_flat = Footprint(*(part if part is None else np.zeros(part.shape) for part in flat))
-    add = pick_backward if filter == "nearest" else add_texels
+    add = pick_backward if filter_mode == "nearest" else add_texels
 
     def texels():
         for looks in bands:
@@ -320,9 +321,9 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
 
     def pixels(looks):
         add_slopes(looks, pyramid, grad_colour, grad_flat.uv, grad_flat.bias, channels)
-        levels_backward(looks, pyramid, flat.jacobian, grad_flat, filter)
+        levels_backward(looks, pyramid, flat.jacobian, grad_flat, filter_mode)
 
-    tasks = [(texels,)] + [(pixels, looks) for looks in bands if filter != "nearest"]
+    tasks = [(texels,)] + [(pixels, looks) for looks in bands if filter_mode != "nearest"]
     list(each_band(lambda task, *looks: task(*looks), tasks))
     pyramid_kernels.add_to_image(grads, channels)
     grad_uv, grad_jacobian, grad_bias = grad_flat
@@ -331,12 +332,12 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
             grad_bias.reshape(np.shape(bias)) if np.shape(bias) else grad_bias.sum())
 
 
-def levels_backward(looks, pyramid, jacobian, grad_flat, filter):
+def levels_backward(looks, pyramid, jacobian, grad_flat, filter_mode):
     """The way back from the share of the upper level, in grad_flat.bias, to bias and jacobian."""
     first, end = looks.first[0], looks.end[-1]
     grad_level = grad_flat.bias
     part = slice(first, end)
-    top = len(pyramid.start) - 1 if filter == "linear-mipmap-linear" else 0
+    top = len(pyramid.start) - 1 if filter_mode == "linear-mipmap-linear" else 0
     grad_level[part] = blend_levels_backward(grad_level[part], looks.level[part], top)
     if jacobian is not None:
         pyramid_kernels.squared_sizes_backward(grad_level, jacobian, pyramid.width[0],

@@ -15,9 +15,9 @@ def fit_texture(labs):
     given = views(labs, truth, 800)
     yield "views, 64 x 64 pixels", save("fit_texture", "truth", enlarged(truth, 4))
     decibels = []
-    for name, filter, best_rate in (("without", "linear", 0.03),  # of 0.01, 0.02, 0.03, 0.05, 0.1
-                                    ("with", "linear-mipmap-linear", 0.02)):
-        course, texture = fit(labs, truth, given, filter, first_rate=best_rate)
+    for name, filter_mode, best_rate in (  # of 0.01, 0.02, 0.03, 0.05, 0.1
+            ("without", "linear", 0.03), ("with", "linear-mipmap-linear", 0.02)):
+        course, texture = fit(labs, truth, given, filter_mode, first_rate=best_rate)
         decibels.append(course[-1])
         yield (f"{name} mipmaps: {course[-1]:.2f} dB",
                save("fit_texture", name, enlarged(np.clip(texture, 0, 1), 4)))
@@ -25,7 +25,7 @@ def fit_texture(labs):
     yield f"difference {difference:.2f} dB", None, ("1.3", difference >= 1.3)
 
 
-def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
+def fit(labs, truth, views, filter_mode, size=64, first_rate=1e-2):
     """A grey texture becomes the globe's: a step of Adam for each of the views, seen through one of
     lab 6's filters. The rate falls to a tenth.
 
@@ -35,9 +35,9 @@ def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
 
     def gradient(x):
         at, footprint, colour = next(coming)
-        seen = lab6.texture(x, at, footprint, filter=filter)
+        seen = lab6.texture(x, at, footprint, filter_mode=filter_mode)
         grad_seen = 2 * (seen - colour) / (3 * size**2)  # squared error, the rest of it is black
-        grad_x, *_ = lab6.texture_backward(grad_seen, x, at, footprint, filter=filter)
+        grad_x, *_ = lab6.texture_backward(grad_seen, x, at, footprint, filter_mode=filter_mode)
         return ((seen - colour)**2).sum() / (3 * size**2), grad_x
 
     rates, course = lab9.decay(first_rate, 0.1, len(views)), []
@@ -107,7 +107,7 @@ def sampled(labs, texture, clip_from_model, size):
     seen, *where = footprints(labs, clip_from_model, size)
     samples = np.zeros((size, size, 4))
     samples[seen, 3] = 1
-    samples[seen, :3] = labs.mipmapping.texture(texture, *where, filter="linear-mipmap-linear")
+    samples[seen, :3] = labs.mipmapping.texture(texture, *where, filter_mode="linear-mipmap-linear")
     return samples
 
 

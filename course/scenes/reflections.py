@@ -133,7 +133,8 @@ def reflections(labs, surroundings, size, count=12, samples=3):
     found = []
     for seen, *look in views(labs, samples * size, count):
         look[0][~seen] = 0
-        colour = labs.cube_maps.cube_texture(surroundings, *look, filter="linear-mipmap-linear")
+        colour = labs.cube_maps.cube_texture(surroundings, *look,
+                                             filter_mode="linear-mipmap-linear")
         colour[~seen] = np.nan
         found.append(colour.reshape(size, samples, size, samples, 3).mean((1, 3)))
     return found
@@ -153,5 +154,5 @@ def weights(labs, given, texels):
     total = np.zeros((6, texels, texels, 1))
     for *look, colour in given:
         total += labs.cube_maps.cube_texture_backward(colour[:, :1]**0, total, *look,
-                                                      filter="linear-mipmap-linear")[0]
+                                                      filter_mode="linear-mipmap-linear")[0]
     return total[..., 0]

@@ -15,7 +15,7 @@ from .alarm import at_most
 from .assertions import Mismatch
 from .showing import PACKAGE, arguments, error_text
 
-SECONDS = 20.0  # that a call may take
+CALL_SECONDS = 20.0  # that a call may take
 LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
 FIND = pytest.StashKey()         # of the run: finds functions that run in another process
@@ -166,15 +166,15 @@ def finder(code):
 
 
 class Stopped(TimeoutError):
-    """A call took longer than SECONDS."""
+    """A call took longer than CALL_SECONDS."""
 
 
 def limited(function):
-    """The function, whose calls are stopped after SECONDS: Stopped, where they are just then."""
+    """The function, whose calls are stopped after a while: Stopped, where they are just then."""
     @functools.wraps(function)
     def call(*args, **kwargs):
-        with at_most(SECONDS, Stopped(f"after {SECONDS:g} s; does a loop never end, or go over "
-                                      "far too much?")):
+        with at_most(CALL_SECONDS, Stopped(f"after {CALL_SECONDS:g} s; does a loop never end, or "
+                                           "go over far too much?")):
             return function(*args, **kwargs)
 
     call.is_repeatable = True  # here, in this process: a hint may try other inputs

@@ -13,12 +13,12 @@ import numpy as np
 
 from ..contract import as_array, called
 
-SECONDS = 1.0  # for all that is tried
+RETRY_SECONDS = 1.0  # for all that is tried
 
 
 def mixed_up(function, args, kwargs, is_right):
     """What a function does with the inputs of a call: without it, is_right(what it returns)."""
-    ends = time.perf_counter() + SECONDS
+    ends = time.perf_counter() + RETRY_SECONDS
     try:
         bound = inspect.signature(function).bind(*args, **kwargs)
     except (TypeError, ValueError):

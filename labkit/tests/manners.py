@@ -47,6 +47,8 @@ def require_promised(given):
 
 def in_forms(function):
     """The function as a check calls it; where one exercise calls another, nothing changes."""
+    function = getattr(function, "written", function)  # nothing stands in for it
+
     @functools.wraps(function)
     def call(*args, **named):
         if not CALLS:

@@ -632,7 +632,7 @@ def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, 
         for name, n in (("it_is_short", 0), ("it_ends", 1), ("it_ends_again", 1)))
     root = house({"labs/transforms.py": lab.lstrip(), "tests/labs/test_transforms.py":
                   f"import time\n\nfrom labkit.checks import assert_close, exercise\n{checks}"})
-    monkeypatch.setattr(loader, "SECONDS", 0.3)
+    monkeypatch.setattr(loader, "CALL_SECONDS", 0.3)
     done = run_here(root, "course", "check", "1.1")
     assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout
     assert "Stopped: after 0.3 s; does a loop never end" in done.stdout

@@ -91,7 +91,7 @@ def failures(items):
 
 def work(topic, trials, asked, pipe):
     """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
-    retries.SECONDS = 0.0  # nobody reads their hints
+    retries.RETRY_SECONDS = 0.0  # nobody reads their hints
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all

@@ -111,12 +111,12 @@ def test_a_view_shows_the_texture():
         np.testing.assert_allclose(colour, 0.25)
 
 
-@pytest.mark.parametrize("filter", ["linear", "linear-mipmap-linear"])
-def test_a_texture_comes_nearer_with_every_few_views(filter):
+@pytest.mark.parametrize("filter_mode", ["linear", "linear-mipmap-linear"])
+def test_a_texture_comes_nearer_with_every_few_views(filter_mode):
     """A gradient that is scattered to other texels."""
     truth = fit_texture.planet(16)
     views = fit_texture.views(LABS, truth, 6, size=16)
-    psnr, texture = fit_texture.fit(LABS, truth, views, filter, size=16)
+    psnr, texture = fit_texture.fit(LABS, truth, views, filter_mode, size=16)
     assert (np.diff(psnr) > 0).all() and psnr[-1] == fit_texture.psnr(texture, truth)
 
 

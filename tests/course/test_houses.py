@@ -34,11 +34,6 @@ OF_BOTH = "complete", "fast"  # folders of course/ whose modules are of referenc
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
-BY_NAME = {  # `has_kernels`: what numba replaces names here what replaces it, and is known to that
-    ("reference.mipmapping", "reference.texel_kernels"),
-    ("reference.pipeline", "reference.compiled_pipeline")}
-
-
 class Module(NamedTuple):
     """A module's text. The __init__.py of a folder stands for the folder. of_both: the folder of
     course/ that it stands in, as a module of reference and of labs, or "".
@@ -51,7 +46,7 @@ class Module(NamedTuple):
 
 def modules_there():
     """{full name: Module} of all houses, without their tests."""
-    paths = [path for folder in ("reference", "course", "labkit", "apps")
+    paths = [path for folder in {one.partition(".")[0] for one in HOUSES}
              for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists() and "tests" not in path.parts]
     found = {}

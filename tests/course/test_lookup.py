@@ -72,7 +72,7 @@ def done_with(table, labs, seed):
 @pytest.mark.parametrize("lab", dict.fromkeys(map(exercises.lab_number, TOPICS)))
 def test_a_table_of_right_answers_is_of_no_use_with_another_seed(lab, monkeypatch):
     """The checks of an exercise ask the same with every seed, or they expect the same."""
-    monkeypatch.setattr(retries, "SECONDS", 0.0)  # no hints
+    monkeypatch.setattr(retries, "RETRY_SECONDS", 0.0)  # no hints
     labs = {topic: asked for topic, asked in TOPICS.items() if exercises.lab_number(topic) == lab}
     names = {exercise.number: exercise.name for asked in labs.values() for exercise in asked}
     table = Table(names)

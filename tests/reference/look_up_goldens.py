@@ -15,10 +15,10 @@ def require_look_ups(look_up, backward, names, golden, scene, config, **given):
 
     names: those of the first two arguments, a texture and the places in it.
     """
-    filter, more, max_level = config.split("|")
+    filter_mode, more, max_level = config.split("|")
     keys = [*names, *(more.split("+") if more else [])]
     given |= {key.removesuffix("_alone"): golden[f"{scene}/{key}"].astype(float) for key in keys}
-    given |= {"filter": filter, "max_level": int(max_level) if max_level else None}
+    given |= {"filter_mode": filter_mode, "max_level": int(max_level) if max_level else None}
     gradients = backward(golden[f"{scene}/grad_colour"].astype(float), **given)
     got = {f"grad_{name}": gradient
            for name, gradient in zip((*names, "jacobian", "bias"), gradients, strict=True)}
@@ -26,7 +26,7 @@ def require_look_ups(look_up, backward, names, golden, scene, config, **given):
     prefix = f"{scene}/{config}/"
     for key in (key for key in golden if key.startswith(prefix)):
         name = key.removeprefix(prefix)
-        atol = 0 if name == "colour" and filter == "nearest" else TOLERANCE[name]
+        atol = 0 if name == "colour" and filter_mode == "nearest" else TOLERANCE[name]
         np.testing.assert_allclose(got[name], golden[key], rtol=0, atol=atol, err_msg=name)
 
 

@@ -25,7 +25,7 @@ PICTURE = Kind(mipmapping.texture, mipmapping.texture_backward, picture_scene,
 CUBE = Kind(cube_maps.cube_texture, cube_maps.cube_texture_backward, cube_scene,
             np.load("tests/golden/cube_maps.npz"), ("faces", "directions"))
 each_kind = pytest.mark.parametrize("kind", [PICTURE, CUBE], ids=["picture", "cube"])
-each_filter = pytest.mark.parametrize("filter", texturing.FILTERS)
+each_filter = pytest.mark.parametrize("filter_mode", texturing.FILTERS)
 
 
 @pytest.mark.parametrize(("kind", "scene", "config"), [
@@ -41,36 +41,36 @@ def test_look_ups_and_gradients_are_those_of_nvdiffrast(kind, scene, config):
 
 @each_kind
 @each_filter
-def test_gradients_have_the_shapes_of_their_arguments(kind, filter):
+def test_gradients_have_the_shapes_of_their_arguments(kind, filter_mode):
     """No jacobian has a gradient, or that of a number is an array, or of one pixel. What has no
     say has a gradient.
     """
     texture, places, jacobian, bias = kind.scene(np.random.default_rng(6))
     for given, number in (jacobian, 0.25), (jacobian, bias), (None, bias), (None, 0.5):
         def backward(number, given=given):
-            return kind.backward(np.ones((4, 5, 3)), texture, places, given, number, filter)
+            return kind.backward(np.ones((4, 5, 3)), texture, places, given, number, filter_mode)
 
         gradients = backward(number)
         assert [np.shape(gradient) for gradient in gradients] == [
             texture.shape, places.shape, np.shape(given), np.shape(number)]
         assert (gradients[2] is None) == (given is None)
-        if filter != "linear-mipmap-linear":
+        if filter_mode != "linear-mipmap-linear":
             assert not np.any(gradients[3]) and (given is None or not gradients[2].any())
-        assert gradients[1].any() == (filter != "nearest")
+        assert gradients[1].any() == (filter_mode != "nearest")
         np.testing.assert_allclose(np.sum(gradients[3]), backward(number + 0 * bias)[3].sum(),
                                    rtol=1e-12)
 
 
 @each_kind
 @each_filter
-def test_chunks_and_leading_shapes_change_nothing(kind, filter, monkeypatch):
+def test_chunks_and_leading_shapes_change_nothing(kind, filter_mode, monkeypatch):
     """A point is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     texture, places, jacobian, bias = kind.scene(np.random.default_rng(9))
     places[2, 3] = 0  # where a cube shows nothing
     upstream = np.random.default_rng(12).normal(size=(4, 5, 3))
 
     def both(upstream, *pixels):
-        given = texture, *pixels, filter
+        given = texture, *pixels, filter_mode
         return kind.look_up(*given), *kind.backward(upstream, *given)
 
     whole = both(upstream, places, jacobian, bias)
@@ -83,10 +83,10 @@ def test_chunks_and_leading_shapes_change_nothing(kind, filter, monkeypatch):
 
 @each_kind
 @each_filter
-def test_no_pixels_are_no_error(kind, filter):
+def test_no_pixels_are_no_error(kind, filter_mode):
     """A mesh that is not in the picture ends in an error."""
     texture, *pixels = kind.scene(np.random.default_rng(0))
-    empty = texture, *(each[0, :0] for each in pixels), filter
+    empty = texture, *(each[0, :0] for each in pixels), filter_mode
     assert kind.look_up(*empty).shape == (0, 3)
     gradients = kind.backward(np.zeros((0, 3)), *empty)
     assert [gradient.shape for gradient in gradients] == [each.shape for each in empty[:4]]

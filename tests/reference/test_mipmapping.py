@@ -11,13 +11,13 @@ from reference import mipmapping, texturing
 
 
 @pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_every_gradient_is_a_central_difference(filter, boundary):
+@pytest.mark.parametrize("filter_mode", texturing.FILTERS)
+def test_every_gradient_is_a_central_difference(filter_mode, boundary):
     """A gradient of another look-up than this one, in any filter and at any boundary."""
     rng = np.random.default_rng(5)
     image, uv, jacobian, bias = picture_scene(rng)
     top = len(mipmapping.pyramid(image)) - 1
-    differentiable = {"nearest": [0], "linear-mipmap-linear": [0, 1, 2, 3]}.get(filter, [0, 1])
+    differentiable = {"nearest": [0], "linear-mipmap-linear": [0, 1, 2, 3]}.get(filter_mode, [0, 1])
 
     def decisions(image, uv, jacobian, bias):
         level = mipmapping.mip_level(jacobian.reshape(-1, 2, 2), 16, 8) + bias.reshape(-1)
@@ -26,12 +26,12 @@ def test_every_gradient_is_a_central_difference(filter, boundary):
                 np.floor(uv * np.maximum(sides, 1) - 0.5))
 
     def backward(grad, *inputs):
-        gradients = mipmapping.texture_backward(grad, *inputs, filter, boundary)
+        gradients = mipmapping.texture_backward(grad, *inputs, filter_mode, boundary)
         return tuple(gradients[k] for k in differentiable)
 
-    gradcheck(lambda *inputs: mipmapping.texture(*inputs, filter, boundary), backward,
+    gradcheck(lambda *inputs: mipmapping.texture(*inputs, filter_mode, boundary), backward,
               (image, uv, jacobian, bias), differentiable=differentiable, decisions=decisions,
-              name=f"texture_{filter}_{boundary}")
+              name=f"texture_{filter_mode}_{boundary}")
 
 
 def test_pyramids_end_where_a_side_is_odd():
@@ -50,31 +50,31 @@ def test_pyramids_end_where_a_side_is_odd():
 
 @pytest.mark.parametrize(("kind", "largest"), [("uint8", 255), ("int16", 32767),
                                                ("float16", 60000), ("float32", 1)])
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_numbers_of_any_kind_are_read_as_float64(filter, kind, largest):
+@pytest.mark.parametrize("filter_mode", texturing.FILTERS)
+def test_numbers_of_any_kind_are_read_as_float64(filter_mode, kind, largest):
     """A pyramid of bytes overflows, one of short floats is rounded."""
     rng = np.random.default_rng(13)
     image, upstream = largest * rng.uniform(0.6, 1, (8, 16, 3)), rng.integers(0, 9, (4, 5, 3))
     footprint = [rng.integers(0, 3, (4, 5, *shape)) for shape in ((2,), (2, 2), ())]
     inputs = [array.astype(kind) for array in (upstream, image, *footprint)]
     wide = [array.astype(float) for array in inputs]
-    np.testing.assert_array_equal(mipmapping.texture(*inputs[1:], filter),
-                                  mipmapping.texture(*wide[1:], filter))
-    assert_equal(mipmapping.texture_backward(*inputs, filter),
-                 mipmapping.texture_backward(*wide, filter))
+    np.testing.assert_array_equal(mipmapping.texture(*inputs[1:], filter_mode),
+                                  mipmapping.texture(*wide[1:], filter_mode))
+    assert_equal(mipmapping.texture_backward(*inputs, filter_mode),
+                 mipmapping.texture_backward(*wide, filter_mode))
 
 
 @pytest.mark.parametrize("far", [9e14, 1e16, 4e18, 1e300])
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_far_outside_is_as_near_outside(filter, far):
+@pytest.mark.parametrize("filter_mode", texturing.FILTERS)
+def test_far_outside_is_as_near_outside(filter_mode, far):
     """Numbers of texels that do not fit into integers come out as any texel."""
     image, side = np.random.default_rng(14).random((16, 16384, 1)), np.array([[1.0], [-1.0]])
     for boundary in texturing.BOUNDARIES:
-        got, expected = (mipmapping.texture(image, side * [u, 0.25], None, 0.75, filter, boundary)
-                         for u in (far, 8.0))
+        given = None, 0.75, filter_mode, boundary
+        got, expected = (mipmapping.texture(image, side * [u, 0.25], *given) for u in (far, 8.0))
         np.testing.assert_array_equal(got, expected)
-        got, expected = (mipmapping.texture_backward(np.ones((2, 1)), image, side * [u, 0.26], None,
-                                                     0.75, filter, boundary)[1] for u in (far, 8.0))
+        got, expected = (mipmapping.texture_backward(np.ones((2, 1)), image, side * [u, 0.26],
+                                                     *given)[1] for u in (far, 8.0))
         np.testing.assert_array_equal(got, expected)
 
 
@@ -85,7 +85,7 @@ def test_numbers_may_come_as_lists():
 
 
 @pytest.mark.parametrize(("change", "sentence"), [
-    ({"filter": "trilinear"}, "a filter out of nearest, linear"),
+    ({"filter_mode": "trilinear"}, "a filter out of nearest, linear"),
     ({"boundary": "mirror"}, "a boundary out of wrap, clamp, zero"),
     ({"image": np.zeros((4, 4))}, r"an image \(h, w, C\)"),
     ({"image": np.zeros((0, 4, 3))}, "at least one texel"),

@@ -122,8 +122,8 @@ def test_the_gradients_of_a_picture_are_central_differences(name):
                     [some, some])
 
 
-@pytest.mark.parametrize("filter", ["linear", "linear-mipmap-linear"])
-def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
+@pytest.mark.parametrize("filter_mode", ["linear", "linear-mipmap-linear"])
+def test_the_gradients_of_a_textured_picture_are_central_differences(filter_mode):
     """The texture's or the footprint's way to the positions is left out."""
     rng = np.random.default_rng(2)
     shape, _, view = scene("cube")
@@ -131,7 +131,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
     image, background = rng.normal(size=(16, 8, 2)), rng.normal(size=2)
 
     def given(positions, uv, image, clip_from_model):
-        return (shape._replace(positions=positions), Texture(uv, uv_faces, image, filter),
+        return (shape._replace(positions=positions), Texture(uv, uv_faces, image, filter_mode),
                 View(clip_from_model, WIDTH, HEIGHT, background))
 
     def render(*arrays):
@@ -145,12 +145,12 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
         derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip,
                                                              shape.faces)
         at, footprint = pipeline.footprints(uv, uv_faces, buffers, derivatives)
-        level = mipmapping.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
+        level = np.where("mipmap" in filter_mode, mipmapping.mip_level(footprint, 8, 16), 0)
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
         return *decided(buffers, shape), level, *texels
 
-    whole_gradcheck(f"textured, {filter}", render, backward, decisions,
+    whole_gradcheck(f"textured, {filter_mode}", render, backward, decisions,
                     (shape.positions, uv, image, view.clip_from_model),
                     [[0, 3, 6], [0, 5, 9], [4, 11]])
 

@@ -9,10 +9,10 @@ from labkit.checks import assert_equal
 from reference import texturing
 
 
-def exact_texels(x, size, filter, boundary):
+def exact_texels(x, size, filter_mode, boundary):
     """Eqs. (1) and (2) with boundaries in fractions: the weights of all texels along one axis."""
-    position = Fraction(x) * size - (Fraction(1, 2) if filter == "linear" else 0)
-    a = position - floor(position) if filter == "linear" else 0
+    position = Fraction(x) * size - (Fraction(1, 2) if filter_mode == "linear" else 0)
+    a = position - floor(position) if filter_mode == "linear" else 0
     weights = [Fraction(0)] * size
     for texel, weight in (floor(position), 1 - a), (floor(position) + 1, a):
         if boundary == "wrap":
@@ -31,15 +31,15 @@ AWKWARD = [0.0, -0.0, 1.0, -1.0, 2.0, -3.0, 0.5, -0.5, 1.5, 0.125, 0.9999999, 5e
 
 @pytest.mark.parametrize("size", [1, 2, 3, 5, 8])
 @pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
-@pytest.mark.parametrize("filter", ["nearest", "linear"])
-def test_the_texels_on_an_axis_are_those_of_exact_arithmetic(filter, boundary, size):
+@pytest.mark.parametrize("filter_mode", ["nearest", "linear"])
+def test_the_texels_on_an_axis_are_those_of_exact_arithmetic(filter_mode, boundary, size):
     """A whole number, a tiny one or a huge one is off by a texel, or by all of them."""
     near = texturing.near_texture(np.array(AWKWARD), boundary)
-    index, weight, inside = texturing.texels_on_axis(near, size, filter, boundary)
+    index, weight, inside = texturing.texels_on_axis(near, size, filter_mode, boundary)
     assert ((index >= 0) & (index < size)).all()
     assert not weight[~inside].any()
     for n, x in enumerate(AWKWARD):
-        expected = [float(part) for part in exact_texels(x, size, filter, boundary)]
+        expected = [float(part) for part in exact_texels(x, size, filter_mode, boundary)]
         np.testing.assert_allclose(np.bincount(index[:, n], weight[:, n], size), expected,
                                    atol=1e-14, err_msg=x)
 

@@ -1,5 +1,5 @@
 """The whole idea on one page draws and differentiates as the pipeline does."""
-import ast
+import re
 from pathlib import Path
 
 import numpy as np
@@ -68,7 +68,5 @@ def test_it_runs_as_its_first_lines_say(tmp_path, monkeypatch, capsys):
 def test_it_is_a_page_that_needs_numpy_alone():
     """It grows, or leans on what a reader would have to open as well."""
     text = Path(tiny.__file__).read_text(encoding="utf-8")
-    imports = [node for node in ast.walk(ast.parse(text))
-               if isinstance(node, ast.Import | ast.ImportFrom)]
-    assert len(text.splitlines()) <= 270
-    assert [ast.unparse(node) for node in imports] == ["import numpy as np"]
+    assert len(text.splitlines()) <= 230
+    assert re.findall(r"^ *(?:import|from) .*", text, re.M) == ["import numpy as np"]

@@ -121,7 +121,7 @@ def looked_up(picture, uv, wrapping, is_bilinear):
     if wrapping == "MIRRORED_REPEAT":
         uv = 1 - np.abs(uv % 2 - 1)
     return tensors.labs.mipmapping.texture(picture, uv, boundary=BOUNDARIES[wrapping],
-                                           filter="linear" if is_bilinear else "nearest")
+                                           filter_mode="linear" if is_bilinear else "nearest")
 
 
 def save_obj(filename, vertices, faces, textures=None):

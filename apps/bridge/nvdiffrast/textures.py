@@ -28,12 +28,12 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     (N, H, W, 3); uv_da (N, H, W, 4 or 6); mip_level_bias (N, H, W); mip: a list of tensors, the
     levels from 1 on, or a `texture_construct_mip`.
     """
-    filter = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
+    mode = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
     boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
     require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
             f"not {boundary_mode!r}")
     is_cube = boundary_mode == "cube"
-    if "mipmap" not in filter:
+    if "mipmap" not in mode:
         uv_da = mip_level_bias = None
         mip = MipStack([])
     elif mip is None:
@@ -45,7 +45,7 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
     pixels = uv, uv_da, mip_level_bias
-    sampler = tensors.labs.texturing.Sampler(filter, boundary_mode, None)
+    sampler = tensors.labs.texturing.Sampler(mode, boundary_mode, None)
     places = kept_places(pixels, levels, sampler)
     return Texture.apply(tex, *pixels, Reading(levels, places, sampler, made is not None), *stack)
 
@@ -135,7 +135,8 @@ def places(levels, footprint, sampler):
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
-        seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint, sampler.filter)
+        seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint,
+                                                              sampler.filter_mode)
     else:
         index, weight, _ = labs.mipmapping.look_ups(mipmap, footprint, sampler)
     return Places(footprint, seen, labs.texturing.look_up_matrix(len(mipmap.texels), index, weight))
@@ -172,10 +173,10 @@ class Texture(torch.autograd.Function):
 
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
-    labs = tensors.labs
+    given = grad, levels, place.footprint
     if sampler.boundary == "cube":
-        return labs.cube_maps.cube_filtered_backward(grad, levels, place.footprint, sampler.filter)
-    return labs.mipmapping.filtered_backward(grad, levels, place.footprint, sampler)
+        return tensors.labs.cube_maps.cube_filtered_backward(*given, sampler.filter_mode)
+    return tensors.labs.mipmapping.filtered_backward(*given, sampler)
 
 
 def texels_backward(grad, levels, place, sampler):

@@ -95,14 +95,14 @@ def test_attributes_are_those_of_nvdiffrast(scene):
                  ATTRIBUTES[f"{scene}/grad_derivatives"].reshape(rast_db.shape[1:]), 3e-6)
 
 
-def look_up(image, uv, jacobian=None, bias=None, *, filter, boundary, max_level):
+def look_up(image, uv, jacobian=None, bias=None, *, filter_mode, boundary, max_level):
     """dr.texture as `mipmapping.texture` -> the colours' tensor, and what it was given."""
     given = [None if part is None else torch.tensor(part.reshape(1, *shape), dtype=torch.float32,
                                                     requires_grad=True)
              for part, shape in ((image, image.shape), (uv, uv.shape), (bias, uv.shape[:2]),
                                  (jacobian, (*uv.shape[:2], -1)))]
     image, uv, bias, jacobian = given
-    colour = dr.texture(image, uv, jacobian, bias, filter_mode=filter, boundary_mode=boundary,
+    colour = dr.texture(image, uv, jacobian, bias, filter_mode=filter_mode, boundary_mode=boundary,
                         max_mip_level=max_level)
     return colour, (image, uv, jacobian, bias)
 

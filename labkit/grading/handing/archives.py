@@ -14,7 +14,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 from ... import exercises, imports
-from ...table import COMMAND
+from ...table import COMMAND, HANDED_OUT, NAME, USED
 from .contents import MOST_TEXT, Lab, readable, texts_of
 
 BUDGET = 1 << 23         # bytes that are read of what one student has handed in. Among these,
@@ -22,7 +22,8 @@ EACH_ARCHIVE = 1 << 19   # an archive counts as so many more, for what is unpack
 EACH_FILE = 200          # and a file of a folder as it would in an archive's list of files
 DEEPEST = 40             # folders in folders
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
-NOT_THEIRS = {"reference", "tests", "notebooks", "scenes", "apps", "handed_out",  # ours
+OURS = {each.split("/")[-2] for each in (*USED, *HANDED_OUT) if "/" in each} - {NAME}
+NOT_THEIRS = {"reference", "tests", "notebooks", "handed_out", *OURS,
               "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}  # others'
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*+"  # transforms (1), transforms-2
 LAB = re.compile(r"(?:(.*?)(?<![\W_])[\W_]++)??((?a:"

@@ -173,9 +173,10 @@ def needed(topics, *more) -> list[str]:
 
 @functools.cache
 def uses(path):
-    """The files of a topic, or in course/scenes/, that a module or a notebook uses."""
+    """The files of a topic, or of those that labs and checks use, that a module or a notebook uses.
+    """
     topics = places.ROOT / "reference", places.ROOT / COMPLETE
-    rooms = *topics, places.ROOT / "course" / "scenes"
+    rooms = *topics, *((places.ROOT / pattern).parent for pattern in USED)
     found = set()
     for node in ast.walk(ast.parse(code_of(path))):
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":

@@ -158,7 +158,7 @@ def test_mip_level(call, agrees):
     agrees("mip_level", "bilinear", mipmapping.texture(texture, uv)[:, 0],
            [levels[0]] * 100, *uv.T)
     jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
-    wanted = mipmapping.texture(texture, uv, jacobian, filter="linear-mipmap-linear")[:, 0]
+    wanted = mipmapping.texture(texture, uv, jacobian, filter_mode="linear-mipmap-linear")[:, 0]
     agrees("mip_level", "trilinear", wanted, [levels] * 100, *uv.T,
            mipmapping.mip_level(jacobian, 8, 8))
     agrees("mip_level", "footprintMean", texturing.footprint_mean(texture, uv, jacobian, 6)[:, 0],

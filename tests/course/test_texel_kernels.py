@@ -20,7 +20,7 @@ from reference import (
 )
 
 SHAPES = (8, 16, 3), (1, 1, 3), (12, 4, 3), (1, 8, 3), (5, 8, 5)
-whole = pytest.mark.parametrize("filter", texturing.FILTERS)
+whole = pytest.mark.parametrize("filter_mode", texturing.FILTERS)
 anywhere = pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
 
 
@@ -62,58 +62,58 @@ def require_same_bits_on_any_threads(monkeypatch, drawn):
 
 @anywhere
 @whole
-def test_colours_are_numpys_to_the_bit(filter, boundary):
+def test_colours_are_numpys_to_the_bit(filter_mode, boundary):
     """Another order of a sum, another texel at a border, another logarithm."""
     rng = np.random.default_rng(0)
     for shape in SHAPES:
         image = rng.normal(size=shape)
         for footprint in footprints(rng):
             for max_level in (None, 1):
-                given = image, *footprint, filter, boundary, max_level
+                given = image, *footprint, filter_mode, boundary, max_level
                 expected = unwrap(mipmapping.texture)(*given)
                 got = texel_kernels.texture(*given)
                 assert got.shape == expected.shape and got.tobytes() == expected.tobytes(), shape
 
 
 @whole
-def test_texels_that_are_not_finite_spoil_the_same_pixels(filter):
+def test_texels_that_are_not_finite_spoil_the_same_pixels(filter_mode):
     """0 times infinity is left out, so that a pixel looks sound."""
     rng = np.random.default_rng(1)
     uv, jacobian, bias = places(rng)
     for spoilt in (np.inf, np.nan):
         image = np.where(rng.random((8, 16, 3)) < 0.05, spoilt, rng.random((8, 16, 3)))
         with np.errstate(invalid="ignore"):
-            expected = unwrap(mipmapping.texture)(image, uv, jacobian, bias, filter)
-            got = texel_kernels.texture(image, uv, jacobian, bias, filter)
+            expected = unwrap(mipmapping.texture)(image, uv, jacobian, bias, filter_mode)
+            got = texel_kernels.texture(image, uv, jacobian, bias, filter_mode)
         np.testing.assert_array_equal(got, expected)
     assert np.isnan(expected).any() and np.isfinite(expected).any()
 
 
 @anywhere
 @whole
-def test_gradients_are_numpys(filter, boundary):
+def test_gradients_are_numpys(filter_mode, boundary):
     """One of the four gradients, at a border, at a clamped level, or where J = 0."""
     rng = np.random.default_rng(2)
     for shape in SHAPES:
         image = rng.normal(size=shape)
         for footprint in footprints(rng):
-            given = (rng.normal(size=(len(footprint[0]), shape[2])), image, *footprint, filter,
+            given = (rng.normal(size=(len(footprint[0]), shape[2])), image, *footprint, filter_mode,
                      boundary)
             expected = unwrap(mipmapping.texture_backward)(*given)
             require_near(texel_kernels.texture_backward(*given), expected, str(shape))
 
 
 @whole
-def test_no_number_of_threads_changes_a_bit(filter, monkeypatch):
+def test_no_number_of_threads_changes_a_bit(filter_mode, monkeypatch):
     """Two threads add to one texel, or in another order."""
     rng = np.random.default_rng(3)
-    given = rng.normal(size=(8, 16, 3)), *places(rng), filter, "wrap", None
+    given = rng.normal(size=(8, 16, 3)), *places(rng), filter_mode, "wrap", None
     upstream = rng.normal(size=(24, 3))
     require_same_bits_on_any_threads(monkeypatch, lambda: [
         texel_kernels.texture(*given), *texel_kernels.texture_backward(upstream, *given)])
 
 
-@pytest.mark.parametrize("change", [{"filter": "cubic"}, {"uv": np.full((5, 2), np.inf)},
+@pytest.mark.parametrize("change", [{"filter_mode": "cubic"}, {"uv": np.full((5, 2), np.inf)},
                                     {"jacobian": np.full((5, 2, 2), 1e160)}, {"max_level": -1}])
 def test_bad_input_is_told_in_the_same_sentence(change):
     """Kernels read beside their arrays."""
@@ -179,7 +179,7 @@ def require_the_pipelines_numbers(monkeypatch, seen, faces, material):
     assert got.shape == colour.shape and got.tobytes() == colour.tobytes()
     found, found_clip = compiled_pipeline.textured_backward(grad_colour, *given, material, faces)
     require_near([found.uv, found.image, found_clip], [grads.uv, grads.image, grad_clip])
-    assert found.uv_faces is None and found.filter is None
+    assert found.uv_faces is None and found.filter_mode is None
 
 
 @each_scene
