@@ -12,27 +12,31 @@ def inverse_differential(m, dm):
     return np.linalg.inv(blocks)[:3, 3:]
 
 
+def residual_slope(values, m, a, i, j):
+    # The weights c and the slope M^-T r, one number of each.
+    return -np.linalg.solve(np.transpose(m), values)[i] * np.linalg.solve(m, a)[j]
+
+
 def residual_backward(grad_f, values, m, a, target):
     share, slope = np.linalg.solve(m, a), np.linalg.solve(m.T, values)
     return [grad_f * share, -grad_f * slope[:, None] * share[None, :], grad_f * slope, -grad_f]
 
 
-def residuals_jacobian(values, triangle, points):
-    by_values, by_triangle = np.empty((len(points), 3)), np.empty((len(points), 3, 2))
+def fit_step(triangle, colours, points, target, colours_too=False):
+    # Residual by residual: a plane through the corners, and the pseudoinverse.
     (edge, other), origin = triangle[1:] - triangle[0], triangle[0]
-    # The picture is a plane: its slope g has g . edge = the difference of values.
-    slope = np.linalg.solve([edge, other], values[1:] - values[0])
-    for p, point in enumerate(points):
+    rows, short = [], []
+    for point, wanted in zip(points, target, strict=True):
         second, third = np.linalg.solve(np.transpose([edge, other]), point - origin)
-        by_values[p] = 1 - second - third, second, third
-        by_triangle[p] = [-slope * share for share in by_values[p]]
-    return by_values, by_triangle
-
-
-def gauss_newton_step(residuals, jacobian):
-    u, size, v = np.linalg.svd(jacobian, full_matrices=False)
-    used = size > 1e-12 * size.max(initial=0)
-    return -v[used].T @ ((u.T @ residuals)[used] / size[used])
+        shares = np.array([1 - second - third, second, third])
+        for channel, values in enumerate(np.transpose(colours)):
+            slope = np.linalg.solve([edge, other], values[1:] - values[0])
+            own = np.zeros(np.shape(colours))
+            own[:, channel] = colours_too * shares
+            rows.append([*(-np.outer(shares, slope)).ravel(), *own.ravel()])
+            short.append(wanted[channel] - shares @ values)
+    found = np.linalg.pinv(rows, 1e-12) @ short
+    return found[:6].reshape(3, 2), found[6:].reshape(np.shape(colours))
 
 
 def barycentric_backward(grad_b, m, a):

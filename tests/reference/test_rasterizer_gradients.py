@@ -165,3 +165,10 @@ def test_the_gradients_of_edges_are_central_differences(shape):
 
     corners = np.random.default_rng(8).normal(size=shape)
     gradcheck(forward, gradients.edge_normals_backward, (corners,), name="edges")
+    np.testing.assert_allclose(gradients.edge_normals(corners), forward(corners))
+
+
+def test_epsilon_makes_the_sum_larger():
+    """Added to a negative sum, it makes that smaller; or it is left out, or 0 has no sign."""
+    e = np.array([[1.0, -3.0, 1.0, 0.0], [2.0, 0.0, -1.0, 0.0], [4.0, 0.0, 0.0, 0.0]])
+    np.testing.assert_array_equal(gradients.padded_sum(e, 1.0), [8.0, -4.0, 1.0, 1.0])
