@@ -90,17 +90,17 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise
            [ 8.,  4.,  0., -4.],
            [12.,  6.,  0., -6.]])
     """
-    grad_clip = np.zeros(clip.shape)
+    grad_clip = np.zeros((4, len(clip)))
     for pixel, vertex, (X, Y), (x, y, _) in faces_from_pixels(face_index, clip, faces):
         e = cross(x, y)
         d = padded_sum(e, epsilon)
-        grad_b = grad_barycentric.reshape(-1, 3)[pixel].T
+        grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()  # contiguous: faster
         grad_e = (grad_b - (grad_b * (e / d)).sum(0)) / d
         grad_x, grad_y = edge_functions_at_backward(grad_e, x, y)
         grad_w = -X * grad_x - Y * grad_y  # of x - X w and y - Y w
         for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
-            np.add.at(grad_clip[:, axis], vertex.ravel(), grad.ravel())
-    return grad_clip
+            np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
+    return grad_clip.T
 
 
 def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
