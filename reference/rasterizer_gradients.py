@@ -77,9 +77,9 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise
                           epsilon=0.0):
     """Backward of a whole picture's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
-    face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields corners q_k,
-    measured from the N pixels that see a face, and `padded_sum` is d of eq. (8). Go back from b to
-    e, to x and y of the q_k, and to clip space, where each vertex sums what all pixels say.
+    face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
+    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, to x and y, and to clip space,
+    where each vertex sums what all its pixels say.
     Every fit of a coloured shape runs on it: `python3 -m course demo --impl labs fit_cube`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])

@@ -98,10 +98,10 @@ def residual_backward(grad_f, values, m, a, target):  # step 7.5
 def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.7 (5 points)
     """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
 
-    triangle (3, 2) with colours (3, C), points (P, 2), target (P, C). Each point and channel has a
-    residual (2), and the change should make the sum of their squares the least, as if they were
-    linear -> the change of triangle (3, 2), and that of colours (3, C): 0, but with colours_too
-    they are unknown, too. Of several best changes it is the shortest, as `np.linalg.lstsq` says.
+    triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
+    colours: 0, but with colours_too they are unknown, too. Residuals (2), one for each point and
+    channel, count as linear here, and the sum of their squares becomes the least. Of several such
+    changes return the shortest, as `np.linalg.lstsq` does.
     To look at yours: `python3 -m course demo --impl labs fit_vertices`.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
