@@ -39,8 +39,7 @@ def fit(labs, triangle, colours, steps, colours_too=False):
 
 def drawn(labs, triangle, colours):
     """The picture (H, W, 3) of a triangle on grey, and where it is seen (H, W)."""
-    ndc = triangle / [WIDTH / 2, HEIGHT / 2] - 1
-    clip = np.column_stack([ndc, np.zeros(3), np.ones(3)])
+    clip = np.column_stack([triangle / [WIDTH / 2, HEIGHT / 2] - 1, np.zeros(3), np.ones(3)])
     seen = labs.pipeline.visible(clip, FACE, WIDTH, HEIGHT)
     material = labs.pipeline.Colours(colours)
     buffers = labs.pipeline.shade(seen, FACE, material, np.full(3, 0.4))

@@ -1,4 +1,4 @@
-"""Lab 7 once more: solving for inverting, Jacobians element by element, face by face."""
+"""Lab 7 once more: solving for inverting, complex steps, derivatives element by element."""
 import numpy as np
 
 
@@ -23,20 +23,17 @@ def residual_backward(grad_f, values, m, a, target):
 
 
 def fit_step(triangle, colours, points, target, colours_too=False):
-    # Residual by residual: a plane through the corners, and the pseudoinverse.
-    (edge, other), origin = triangle[1:] - triangle[0], triangle[0]
-    rows, short = [], []
-    for point, wanted in zip(points, target, strict=True):
-        second, third = np.linalg.solve(np.transpose([edge, other]), point - origin)
-        shares = np.array([1 - second - third, second, third])
-        for channel, values in enumerate(np.transpose(colours)):
-            slope = np.linalg.solve([edge, other], values[1:] - values[0])
-            own = np.zeros(np.shape(colours))
-            own[:, channel] = colours_too * shares
-            rows.append([*(-np.outer(shares, slope)).ravel(), *own.ravel()])
-            short.append(wanted[channel] - shares @ values)
-    found = np.linalg.pinv(rows, 1e-12) @ short
-    return found[:6].reshape(3, 2), found[6:].reshape(np.shape(colours))
+    # The derivatives are complex steps, and the pseudoinverse finds the shortest change.
+    def residuals(unknowns):
+        m = np.vstack([unknowns[:6].reshape(3, 2).T, [1, 1, 1]])
+        c = np.linalg.solve(m, np.vstack([np.transpose(points), np.ones(len(points))]))
+        return (c.T @ unknowns[6:].reshape(3, -1) - target).ravel()
+
+    there = np.concatenate([np.ravel(triangle), np.ravel(colours)])
+    steps = np.eye(there.size)[:there.size if colours_too else 6]
+    columns = np.stack([residuals(there + 1e-20j * step).imag / 1e-20 for step in steps], -1)
+    change = steps.T @ np.linalg.pinv(columns, 1e-12) @ -residuals(there)
+    return change[:6].reshape(3, 2), change[6:].reshape(np.shape(colours))
 
 
 def barycentric_backward(grad_b, m, a):
