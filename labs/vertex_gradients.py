@@ -9,18 +9,16 @@
     grad_c = (grad_b - (grad_b . b) 1) / s,  grad_a = M^-T grad_c,  grad_M = -grad_a c^T         (6)
 
 A vertex drags the picture along, by its weight. So its gradient (4) is minus the picture's slope
-df/da, times the weight. For whole meshes, rasterizer_gradients.py does the same without inverting
-a matrix.
+df/da, times the weight. A fit of one triangle is made of it, `fit_step`. For whole meshes,
+rasterizer_gradients.py does the same without inverting a matrix.
 
 Source: a note on the derivative of a rendered pixel with respect to its triangle's vertices, (1) to
 (4). In perspective the note leaves out the sum s and its share in (6).
 """
 import numpy as np
 
-from .interpolation import normalize_backward
 
-
-def vertex_matrix(triangle):  # exercise 7.1 (1 point)
+def vertex_matrix(triangle):  # step 7.1
     """Eq. (1): the matrix M of a triangle, one vertex in each column.
 
     triangle (3, 2), one vertex in each row -> M (3, 3).
@@ -46,7 +44,7 @@ def residual(values, m, a, target):
     return values @ np.linalg.solve(m, a) - target
 
 
-def inverse_differential(m, dm):  # exercise 7.3 (2 points)
+def inverse_differential(m, dm):  # step 7.3
     """Eq. (3): how does the inverse of m change where m changes by dm?
 
     m, dm (3, 3) -> (3, 3). It follows from M^-1 M = I.
@@ -58,7 +56,7 @@ def inverse_differential(m, dm):  # exercise 7.3 (2 points)
     raise NotImplementedError("exercise 7.3: inverse_differential")
 
 
-def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
+def residual_slope(values, m, a, i, j):  # step 7.4
     """df/dm_ij: the derivative of eq. (2) with respect to the element of m in row i, column j.
 
     values (3,), m (3, 3), a (3,) -> a number. Use eq. (3) with dM = e_i e_j^T, a single 1.
@@ -67,12 +65,10 @@ def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
     >>> residual_slope(np.array([8.0, 0.0, 4.0]), m, np.array([1.0, 1.0, 1.0]), 0, 2)
     np.float64(1.0)
     """
-    dm = np.zeros((3, 3))
-    dm[i, j] = 1
-    return values @ inverse_differential(m, dm) @ a
+    raise NotImplementedError("exercise 7.4: residual_slope")
 
 
-def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
+def residual_backward(grad_f, values, m, a, target):  # step 7.5
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.
 
@@ -91,34 +87,24 @@ def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
     raise NotImplementedError("exercise 7.5: residual_backward")
 
 
-def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
-    """The derivatives of the residuals (2) with respect to the values, and, eq. (4), to vertices.
+def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.7 (5 points)
+    """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
 
-    values (3,), triangle (3, 2), points (P, 2) -> by_values (P, 3), by_triangle (P, 3, 2), whose
-    [p, k] is for x and y of vertex k.
+    triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
+    colours: 0, but with colours_too they are unknown, too. Residuals (2), one for each point and
+    channel, count as linear here, and the sum of their squares becomes the least. Of several such
+    changes return the shortest, as `np.linalg.lstsq` does.
+    To look at yours: `python3 -m course demo --impl labs fit_vertices`.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
-    >>> residuals_jacobian(np.array([8.0, 0.0, 4.0]), triangle, np.array([[1.0, 1.0]]))
-    (array([[0.25, 0.25, 0.5 ]]), array([[[0.5, 0.5],
-            [0.5, 0.5],
-            [1. , 1. ]]]))
+    >>> points = np.array([[1.0, 1.0], [2.0, 0.5], [0.5, 0.5]])  # their colour is (x, y)
+    >>> by_triangle, by_colours = fit_step(triangle, triangle, points, points - [0.5, 0.25])
+    >>> by_triangle.round(9)
+    array([[0.5 , 0.25],
+           [0.5 , 0.25],
+           [0.5 , 0.25]])
     """
-    raise NotImplementedError("exercise 7.6: residuals_jacobian")
-
-
-def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
-    """The least squares step (U,), for which |residuals + jacobian step| is least.
-
-    residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. It moves the
-    triangle of the lecture's section 5 into its place.
-
-    >>> gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.array([[1.0], [1.0], [1.0]]))
-    array([-3.])
-
-    Fine print. Where some unknowns have no influence, or R < U, many steps are equally good. The
-    answer is the shortest one: it leaves alone what the residuals do not see.
-    """
-    raise NotImplementedError("exercise 7.7: gauss_newton_step")
+    raise NotImplementedError("exercise 7.7: fit_step")
 
 
 def barycentric(m, a):
@@ -134,7 +120,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
+def barycentric_backward(grad_b, m, a):  # step 7.9
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.

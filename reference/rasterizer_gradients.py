@@ -10,8 +10,7 @@ weights on the face are the same for c = M^-1 a and for e = det(M) c:
     depth = z^T M^-1 a,         z in clip space                                                 (10)
 
 The q_i x q_j are the rows of det(M) M^-1, so the e_k are lab 2's edge functions, and e_X and e_Y
-are x and y of the q_i x q_j. A vertex's w is in all parts of q_k, so the gradient of w is
-grad_w - X grad_x - Y grad_y.
+are x and y of the q_i x q_j. A vertex's w is in all parts of q_k.
 
 All N pixels are done at once: x, y, w (3, N), a row for each corner, and M (3, 3, N). Each pixel
 has gradients for its three corners, and each vertex sums what comes from all pixels that see it.
@@ -23,8 +22,7 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .interpolation import normalize_backward
-from .rasterization import edge_functions_at, normalize_derivative, seen_corners
+from .rasterization import normalize_derivative, seen_corners
 
 
 def cross(p, q):
@@ -34,21 +32,23 @@ def cross(p, q):
                      p[0] * q[1] - p[1] * q[0]])
 
 
-def edge_normals(corners):  # extra 7.10 (2 points)
-    """Eq. (7): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
+def faces_from_pixels(face_index, clip, faces):
+    """The corners q_k for each pixel that sees a face, in chunks.
 
-    corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, and
-    exists even where det(M) = 0.
-
-    >>> edge_normals(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
-    array([[-1., -2.,  4.],
-           [ 2.,  0.,  0.],
-           [ 0.,  2.,  0.]])
+    face_index (H, W), clip (V, 4), faces (F, 3). Yields pixel (N,) = row * W + column; vertex
+    (3, N), the corners' numbers; centre X, Y, (N,) each; corners x, y, w, (3, N) each.
     """
-    return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES])
+    height, width = face_index.shape
+    X_of, Y_of = ((2 * np.arange(size) + 1) / size - 1 for size in (width, height))
+    clip_x, clip_y, _, clip_w = np.array(clip.T, float, order="C")  # contiguous rows: faster
+    for pixel, vertex in seen_corners(face_index, faces):
+        row = pixel // width
+        X, Y = X_of.take(pixel - row * width), Y_of.take(row)
+        w = clip_w.take(vertex)
+        yield pixel, vertex, (X, Y), (clip_x.take(vertex) - X * w, clip_y.take(vertex) - Y * w, w)
 
 
-def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points)
+def edge_functions_at_backward(grad_e, x, y):  # step 7.11
     """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
 
     x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
@@ -61,6 +61,71 @@ def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points)
     """
     # Over the corners (9) is a cross product, and g . (x x y) = x . (y x g) = y . (g x x).
     return cross(y, grad_e), cross(grad_e, x)
+
+
+def padded_sum(e, epsilon):
+    """d of eq. (8): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
+
+    A face without area has s = 0. Its d is infinity, so that its gradient is 0.
+    """
+    s = e.sum(0)
+    s = s + np.copysign(epsilon, s)
+    return np.where(s == 0, np.inf, s)
+
+
+def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.12 (6 points)
+                          epsilon=0.0):
+    """Backward of a whole picture's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
+
+    face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
+    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, to x and y, and to clip space,
+    where each vertex sums what all its pixels say.
+    Every fit of a coloured shape runs on it: `python3 -m course demo --impl labs fit_cube`.
+
+    >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
+    >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2
+    >>> seen, faces = np.array([[-1, 0]]), np.array([[0, 1, 2]])  # b = (2, 2, 3) / 7 in the second
+    >>> barycentrics_backward(grad_b, seen, clip, faces).round(9) + 0.0
+    array([[ 8.,  4.,  0., -4.],
+           [ 8.,  4.,  0., -4.],
+           [12.,  6.,  0., -6.]])
+    """
+    grad_clip = np.zeros((4, len(clip)))
+    for pixel, vertex, (X, Y), (x, y, _) in faces_from_pixels(face_index, clip, faces):
+        e = cross(x, y)
+        d = padded_sum(e, epsilon)
+        grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()  # contiguous: faster
+        grad_e = (grad_b - (grad_b * (e / d)).sum(0)) / d
+        grad_x, grad_y = edge_functions_at_backward(grad_e, x, y)
+        grad_w = -X * grad_x - Y * grad_y  # of x - X w and y - Y w
+        for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
+            np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
+    return grad_clip.T
+
+
+def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
+    """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
+
+    Lab 2's `scatter` makes a whole array for each chunk. This adds in place.
+    """
+    X, Y = centre
+    grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
+    for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
+        np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
+
+
+def edge_normals(corners):
+    """Eq. (7): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
+
+    corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, and
+    exists even where det(M) = 0.
+
+    >>> edge_normals(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
+    array([[-1., -2.,  4.],
+           [ 2.,  0.,  0.],
+           [ 0.,  2.,  0.]])
+    """
+    return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES])
 
 
 def edge_normals_backward(grad_edges, corners):
@@ -81,121 +146,18 @@ def edge_normals_backward(grad_edges, corners):
     return grad_corners
 
 
-def padded_sum(e, epsilon):
-    """d of eq. (8): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
-
-    A face without area has s = 0. Its d is infinity, so that its gradient is 0.
-    """
-    s = e.sum(0)
-    s = s + np.copysign(epsilon, s)
-    return np.where(s == 0, np.inf, s)
-
-
-def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
+def normalize_derivative_backward(grad_db, dc, b, s):
     """Backward of db/dX in eq. (8), lab 2's `normalize_derivative`: dc stands for e_X, c for e.
 
     grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N). Both b = c / s and s = sum c
     depend on c.
-
-    >>> dc, b = np.array([[1.0], [2.0], [5.0]]), np.array([[0.25], [0.5], [0.25]])
-    >>> grad_db = np.array([[0.0], [4.0], [0.0]])
-    >>> np.stack(normalize_derivative_backward(grad_db, dc, b, np.array([4.0])))[..., 0]
-    array([[-0.5,  0.5, -0.5],
-           [ 1.5, -0.5,  1.5]])
     """
     # db is linear in dc, which gives grad_dc. Where c moves, b changes by b' and s by s', and db
     # by -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
     # The second one goes through s = sum c.
-    grad_dc = normalize_backward(grad_db, b, s)
+    grad_dc = (grad_db - (grad_db * b).sum(0)) / s
     through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
     return grad_dc, -(dc.sum(0) * grad_dc + through_s) / s
-
-
-def inverses(corners):
-    """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area.
-
-    A determinant is a product of three numbers: corners may have sizes from 1e-100 to 1e100.
-    """
-    e = edge_normals(corners)
-    det = (e[0] * corners[:, 0]).sum(0)
-    return e / np.where(det == 0, np.inf, det)
-
-
-def depth_planes(z, corners):  # extra 7.17 (2 points)
-    """Eq. (10) as depth = planes . a: planes (3, F), one for each face.
-
-    z (3, F) in clip space. corners (3, 3, F), with determinants other than 0. `inverses` is given.
-
-    >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
-    >>> depth_planes(np.array([[0.0], [2.0], [1.0]]), corners[..., None]).T
-    array([[1. , 0.5, 0. ]])
-    """
-    return (z[:, None] * inverses(corners)).sum(0)
-
-
-def depth_planes_backward(grad_planes, z, corners):  # extra 7.18 (3 points)
-    """Backward of `depth_planes`: grad_planes (3, F) -> grad_z (3, F), grad_corners (3, 3, F).
-
-    It is `vertex_gradients.residual_backward` for all faces at once. grad_planes is grad_depth a,
-    or a sum of these over pixels that see the same face.
-
-    >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
-    >>> z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
-    >>> grad_z, grad_corners = depth_planes_backward(a, z, corners[..., None])
-    >>> grad_z.T
-    array([[0.75, 0.5 , 0.  ]])
-    >>> grad_corners[..., 0] + 0.0
-    array([[-0.75 , -0.5  ,  0.   ],
-           [-0.375, -0.25 ,  0.   ],
-           [ 0.   ,  0.   ,  0.   ]])
-    """
-    inverse = inverses(corners)
-    grad_z = (inverse * grad_planes).sum(1)
-    planes = (z[:, None] * inverse).sum(0)
-    return grad_z, -planes[:, None] * grad_z
-
-
-def faces_from_pixels(face_index, clip, faces):
-    """The corners q_k for each pixel that sees a face, in chunks.
-
-    face_index (H, W), clip (V, 4), faces (F, 3). Yields pixel (N,) = row * W + column; vertex
-    (3, N), the corners' numbers; centre X, Y, (N,) each; corners x, y, w, (3, N) each.
-    """
-    height, width = face_index.shape
-    X_of, Y_of = ((2 * np.arange(size) + 1) / size - 1 for size in (width, height))
-    clip_x, clip_y, _, clip_w = np.array(clip.T, float, order="C")  # contiguous rows: faster
-    for pixel, vertex in seen_corners(face_index, faces):
-        row = pixel // width
-        X, Y = X_of.take(pixel - row * width), Y_of.take(row)
-        w = clip_w.take(vertex)
-        yield pixel, vertex, (X, Y), (clip_x.take(vertex) - X * w, clip_y.take(vertex) - Y * w, w)
-
-
-def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
-    """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
-
-    Lab 2's `scatter` makes a whole array for each chunk. This adds in place.
-    """
-    X, Y = centre
-    grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
-    for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
-        np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
-
-
-def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
-
-    face_index (H, W), clip (V, 4), faces (F, 3). The gradient with respect to z is 0. Pixels that
-    see no face are ignored. epsilon of eq. (8): 0 gives the derivative, 1e-6 nvdiffrast's numbers.
-    """
-    grad_clip = np.zeros((4, len(clip)))
-    for pixel, vertex, centre, (x, y, _) in faces_from_pixels(face_index, clip, faces):
-        e = edge_functions_at(0, 0, x, y)
-        d = padded_sum(e, epsilon)
-        grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()
-        grad_e = normalize_backward(grad_b, e / d, d)
-        add_to_vertices(grad_clip, vertex, centre, *edge_functions_at_backward(grad_e, x, y))
-    return grad_clip.T
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
@@ -219,17 +181,35 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
     return grad_clip.T
 
 
+def inverses(corners):
+    """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area.
+
+    A determinant is a product of three numbers: corners may have sizes from 1e-100 to 1e100.
+    """
+    e = edge_normals(corners)
+    det = (e[0] * corners[:, 0]).sum(0)
+    return e / np.where(det == 0, np.inf, det)
+
+
 def depth_backward(grad_depth, face_index, clip, faces):
-    """Backward of the depth that lab 2's `rasterize` gives: grad_depth (H, W) -> grad_clip (V, 4),
-    including the gradient with respect to z. The rest as in `barycentrics_backward`.
+    """Backward of the depth that lab 2's `rasterize` gives: grad_depth (H, W) -> grad_clip (V, 4).
+
+    face_index (H, W), clip (V, 4), faces (F, 3). By eq. (10) depth is a residual (2) with z for r,
+    so its backward pass is eq. (4), here with a = (0, 0, 1), and z has a gradient, too.
+
+    >>> clip = np.array([[-1.0, -1.0, 1.0, 1.0], [3.0, -1.0, 2.0, 1.0], [-1.0, 3.0, 3.0, 1.0]])
+    >>> depth_backward(np.array([[8.0]]), np.array([[0]]), clip, np.array([[0, 1, 2]]))
+    array([[-1. , -2. ,  4. , -7. ],
+           [-0.5, -1. ,  2. , -3.5],
+           [-0.5, -1. ,  2. , -3.5]])
     """
     grad_clip = np.zeros((4, len(clip)))
     for pixel, vertex, centre, corners in faces_from_pixels(face_index, clip, faces):
-        grad = grad_depth.take(pixel)
+        inverse = inverses(np.stack(corners))
         z = clip[:, 2].take(vertex)
-        grad_planes = np.stack([0 * grad, 0 * grad, grad])  # depth = planes . a, a = (0, 0, 1)
-        grad_z, grad_corners = depth_planes_backward(grad_planes, z, np.stack(corners))
-        add_to_vertices(grad_clip, vertex, centre, *grad_corners)
+        grad_z = grad_depth.take(pixel) * inverse[:, 2]  # c = M^-1 a
+        slope = (z[:, None] * inverse).sum(0)
+        add_to_vertices(grad_clip, vertex, centre, *(-slope[:, None] * grad_z))
         np.add.at(grad_clip[2], vertex.ravel(), grad_z.ravel())
     return grad_clip.T
 

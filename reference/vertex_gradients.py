@@ -9,18 +9,16 @@
     grad_c = (grad_b - (grad_b . b) 1) / s,  grad_a = M^-T grad_c,  grad_M = -grad_a c^T         (6)
 
 A vertex drags the picture along, by its weight. So its gradient (4) is minus the picture's slope
-df/da, times the weight. For whole meshes, rasterizer_gradients.py does the same without inverting
-a matrix.
+df/da, times the weight. A fit of one triangle is made of it, `fit_step`. For whole meshes,
+rasterizer_gradients.py does the same without inverting a matrix.
 
 Source: a note on the derivative of a rendered pixel with respect to its triangle's vertices, (1) to
 (4). In perspective the note leaves out the sum s and its share in (6).
 """
 import numpy as np
 
-from .interpolation import normalize_backward
 
-
-def vertex_matrix(triangle):  # exercise 7.1 (1 point)
+def vertex_matrix(triangle):  # step 7.1
     """Eq. (1): the matrix M of a triangle, one vertex in each column.
 
     triangle (3, 2), one vertex in each row -> M (3, 3).
@@ -46,7 +44,7 @@ def residual(values, m, a, target):
     return values @ np.linalg.solve(m, a) - target
 
 
-def inverse_differential(m, dm):  # exercise 7.3 (2 points)
+def inverse_differential(m, dm):  # step 7.3
     """Eq. (3): how does the inverse of m change where m changes by dm?
 
     m, dm (3, 3) -> (3, 3). It follows from M^-1 M = I.
@@ -60,7 +58,7 @@ def inverse_differential(m, dm):  # exercise 7.3 (2 points)
     return -inverse @ dm @ inverse
 
 
-def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
+def residual_slope(values, m, a, i, j):  # step 7.4
     """df/dm_ij: the derivative of eq. (2) with respect to the element of m in row i, column j.
 
     values (3,), m (3, 3), a (3,) -> a number. Use eq. (3) with dM = e_i e_j^T, a single 1.
@@ -74,7 +72,7 @@ def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
     return values @ inverse_differential(m, dm) @ a
 
 
-def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
+def residual_backward(grad_f, values, m, a, target):  # step 7.5
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.
 
@@ -97,37 +95,35 @@ def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
     return grad_f * c, -np.outer(grad_a, c), grad_a, -grad_f
 
 
-def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
-    """The derivatives of the residuals (2) with respect to the values, and, eq. (4), to vertices.
+def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.7 (5 points)
+    """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
 
-    values (3,), triangle (3, 2), points (P, 2) -> by_values (P, 3), by_triangle (P, 3, 2), whose
-    [p, k] is for x and y of vertex k.
+    triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
+    colours: 0, but with colours_too they are unknown, too. Residuals (2), one for each point and
+    channel, count as linear here, and the sum of their squares becomes the least. Of several such
+    changes return the shortest, as `np.linalg.lstsq` does.
+    To look at yours: `python3 -m course demo --impl labs fit_vertices`.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
-    >>> residuals_jacobian(np.array([8.0, 0.0, 4.0]), triangle, np.array([[1.0, 1.0]]))
-    (array([[0.25, 0.25, 0.5 ]]), array([[[0.5, 0.5],
-            [0.5, 0.5],
-            [1. , 1. ]]]))
+    >>> points = np.array([[1.0, 1.0], [2.0, 0.5], [0.5, 0.5]])  # their colour is (x, y)
+    >>> by_triangle, by_colours = fit_step(triangle, triangle, points, points - [0.5, 0.25])
+    >>> by_triangle.round(9)
+    array([[0.5 , 0.25],
+           [0.5 , 0.25],
+           [0.5 , 0.25]])
     """
     inverse = np.linalg.inv(vertex_matrix(triangle))
     c = points @ inverse[:, :2].T + inverse[:, 2]
-    slope = values @ inverse[:, :2]
-    return c, -c[:, :, None] * slope
-
-
-def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
-    """The least squares step (U,), for which |residuals + jacobian step| is least.
-
-    residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. It moves the
-    triangle of the lecture's section 5 into its place.
-
-    >>> gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.array([[1.0], [1.0], [1.0]]))
-    array([-3.])
-
-    Fine print. Where some unknowns have no influence, or R < U, many steps are equally good. The
-    answer is the shortest one: it leaves alone what the residuals do not see.
-    """
-    return np.linalg.lstsq(jacobian, -residuals)[0]
+    residuals = (c @ colours - target).reshape(-1)
+    # Of point p and channel i: vertex k moves the picture by -c_k times the slope, colour k by c_k.
+    slope = colours.T @ inverse[:, :2]
+    jacobian = np.einsum("pk,ix->pikx", -c, slope).reshape(len(residuals), 6)
+    if colours_too:
+        own = np.einsum("pk,ij->pikj", c, np.eye(len(slope))).reshape(len(residuals), -1)
+        jacobian = np.concatenate([jacobian, own], 1)
+    change = np.zeros(6 + colours.size)
+    change[:jacobian.shape[1]] = np.linalg.lstsq(jacobian, -residuals)[0]
+    return change[:6].reshape(3, 2), change[6:].reshape(colours.shape)
 
 
 def barycentric(m, a):
@@ -143,7 +139,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
+def barycentric_backward(grad_b, m, a):  # step 7.9
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.
@@ -159,6 +155,7 @@ def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
     # The quotient rule of lab 5. Then c = M^-1 a as in (4), with r = grad_c.
     inverse = np.linalg.inv(m)
     c = inverse @ a
-    grad_c = normalize_backward(grad_b, c / c.sum(), c.sum())
+    s = c.sum()
+    grad_c = (grad_b - grad_b @ c / s) / s
     grad_a = inverse.T @ grad_c
     return -np.outer(grad_a, c), grad_a

@@ -10,6 +10,7 @@
     aliasing           a zone plate made smaller in three ways
     msaa               a silhouette with more and more samples in a pixel
     reflections        what a mirror shows: directions, footprints, surroundings
+    fit_vertices       a triangle finds its place from the colours inside of it
     fit_triangle       a triangle finds its template by its edges alone
     fit_cube           a cube's shape and colours, from tiny pictures
     fit_pose           how a known cube is turned

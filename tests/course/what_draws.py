@@ -2,7 +2,7 @@
 import numpy as np
 
 from course.given import mesh
-from course.scenes import fit_triangle, small, viewing
+from course.scenes import fit_triangle, fit_vertices, small, viewing
 
 RNG = np.random.default_rng(0)
 VERTICES, FACES = mesh.icosphere(320)
@@ -57,3 +57,7 @@ def shown(labs):
             if isinstance(part, np.ndarray)])
     path, _, _ = fit_triangle.fit(labs, fit_triangle.template(labs), True, steps=12)
     yield "the fit of a triangle", path[-1]
+    path = fit_vertices.fit(labs, fit_vertices.START, fit_vertices.COLOURS, 2)
+    yield "the fit of vertices", path[-1][0]
+    path = fit_vertices.fit(labs, fit_vertices.START, fit_vertices.NEARLY_GREY, 2, colours_too=True)
+    yield "the fit of vertices and colours", np.hstack(path[-1])

@@ -1,66 +1,10 @@
 """What the exercises of lab 7's whole meshes must do."""
 import numpy as np
 import pytest
-from corner_matrices import MATRICES, NEAR
 
 from labkit.checks import assert_close, exercise
 
-# Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
-PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
-
-# Two faces for paper: c = (1 - x/4 - y/2, x/2, y/2) with det(M) = 4, and
-# c = (x/2, 1 - x/2 - 2y, y) with det(M) = -2.
-TWO = np.stack([NEAR, [[2.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 2.0]]], -1)
-PLANES = np.array([[2.0, 1.0], [-1.0, -2.0], [4.0, 3.0]])  # 2x - y + 4 and x - 2y + 3
-DEPTHS = np.array([[4.0, 5.0], [6.0, 3.0], [2.0, 4.0]])    # at their corners: z_k = plane . q_k
-
-SIGNS = np.array([[1.0, -3.0, 0.5, -1.0], [2.0, 0.5, -0.25, 4.0], [4.0, -1.5, 1.75, -4.0]])
-
-
-def corners_of(rng, count):
-    """Faces (3, 3, count), some of w below 0, none of them thin."""
-    base = np.stack(list(MATRICES.values()), -1)
-    return base[..., np.arange(count) % base.shape[-1]] + rng.uniform(-0.2, 0.2, (3, 3, count))
-
-
 # --- whole meshes ------------------------------------------------------------------------------
-
-@exercise("7.10")
-def test_edges_on_paper(impl):
-    """The cross products are in the other order, q_j x q_i. Rows and columns are swapped: corners
-    are columns of M, edges are rows. Edge k is not the one across from vertex k. Edge 1 alone has
-    the other sign: it is q_2 x q_0, not q_0 x q_2."""
-    expected = np.array([[-7.0, -8.0, 18.0], [-1.0, 7.0, -11.0], [3.0, -2.0, -5.0]])
-    assert_close(impl.edge_normals(PAPER), expected)
-    expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
-    assert_close(impl.edge_normals(NEAR), expected)
-
-
-@exercise("7.10")
-def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
-    """Edge k is not the one opposite to vertex k, or runs the other way."""
-    x, y = triangle = rng.uniform(0, 9, (2, 3))
-    corners = np.stack([*triangle, np.ones(3)])
-    e = impl.edge_normals(corners) @ np.array([4.0, 5.0, 1.0])
-    for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
-        assert_close(e[k], (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i]), atol=1e-9)
-
-
-@exercise("7.10")
-def test_they_are_the_inverse_times_the_determinant(impl, rng):
-    """Right for one face alone, or for F = 3. Or it is divided by the determinant or the length of
-    a row."""
-    corners = corners_of(rng, 5)
-    expected = [np.linalg.det(m) * np.linalg.inv(m) for m in np.moveaxis(corners, -1, 0)]
-    assert_close(impl.edge_normals(corners), np.stack(expected, -1), atol=1e-9)
-
-
-@exercise("7.10")
-def test_a_face_seen_from_its_side_has_edges(impl):
-    """An inverse is taken, and there is none."""
-    flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
-    assert_close(impl.edge_normals(flat), [[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
-
 
 @exercise("7.11")
 def test_six_gradients_of_two_pixels_on_paper(impl):
@@ -103,72 +47,104 @@ def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, cou
               name=f"{count} pixels")
 
 
-def test_epsilon_makes_the_sum_larger(impl):
-    """Added to a negative sum, it makes that smaller; or it is left out, or 0 has no sign."""
-    e = np.array([[1.0, -3.0, 1.0], [2.0, 0.0, -1.0], [4.0, 0.0, 0.0]])
-    assert_close(impl.padded_sum(e, 1.0), [8.0, -4.0, 1.0])
+# --- pictures of weights -----------------------------------------------------------------------
+
+# Seen from the middle, e = (3, 1, 4) by eq. (9), for any w.
+CORNERS = np.array([[3.0, -2.0, 0.5, 2.0], [-1.0, 2.0, 0.25, 0.5], [-2.0, 1.0, -0.5, 3.0]])
+FACE = np.array([[0, 1, 2]])
+PULLED = np.array([[-4.5, -5.25, 0.0, 0.0], [-1.5, -1.75, 0.0, 0.0], [-6.0, -7.0, 0.0, 0.0]])
+
+# Two faces that share an edge, with a vertex behind the camera, and two more vertices.
+CLIP = np.array([[-0.7, -0.5, 0.1, 1.0], [2.1, 0.3, -0.4, 2.5], [0.4, 1.9, 0.6, 1.6],
+                 [-1.4, 1.1, 0.3, -0.6], [0.2, 0.9, 0.7, 1.0]])
+FACES = np.array([[0, 1, 2], [2, 1, 3]])
+SEEN = np.array([0, -1, 0, 1, 0, 1, -1, 1, 1, 0])
 
 
-@exercise("7.15")
-def test_the_gradient_of_a_derivative_on_paper(impl):
-    """The change of b or the change of s is left out of grad_c, or c is a constant there, or dc is
-    not summed. In grad_dc the share of the sum is left out. The division by s, or a sign, is
-    missing. One way counts twice."""
-    dc = np.array([[1.0, 3.0], [2.0, -1.0], [5.0, 4.0]])
-    c, s = np.array([[1.0, 1.0], [2.0, -4.0], [1.0, 1.0]]), np.array([4.0, -2.0])
-    grad_db = np.array([[0.0, 2.0], [16.0, 4.0], [32.0, -6.0]])
-    # db_k = dc_k / s - c_k ds / s^2, at first with s = 4, ds = 8. By dc_k alone: 1/4. By ds:
-    # -c_k / 16, which is 16 (-2/16) + 32 (-1/16) = -4. By c_k alone: -1/2. By s: -dc_k / 16 +
-    # c_k / 4, which is 6 - 2. In the second column s = -2, ds = 6.
-    expected = ([[-4.0, 4.0], [0.0, 3.0], [4.0, 8.0]], [[4.0, 32.5], [-4.0, 29.5], [-12.0, 44.5]])
-    assert_close(impl.normalize_derivative_backward(grad_db, dc, c / s, s), expected)
+def solved(seen, clip):
+    """c (N, 3) of the N pixels that see a face, which solves M c = a."""
+    height, width = seen.shape
+    i, j = np.nonzero(seen >= 0)
+    a = np.stack([(2 * j + 1) / width - 1, (2 * i + 1) / height - 1, 1 + 0 * i], -1)
+    m = np.swapaxes(clip[FACES[seen[i, j]]][..., [0, 1, 3]], 1, 2)
+    return np.linalg.solve(m, a[..., None])[..., 0]
 
 
-@exercise("7.15")
-@pytest.mark.parametrize("epsilon", [0.0, 0.3])
-def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon, gradcheck):
-    """One of the three ways is left out by which c enters."""
-    def padded(c):
-        s = c.sum(0)
-        return s + epsilon * np.where(s < 0, -1, 1)
-
-    def backward(grad_db, dc, c):
-        return impl.normalize_derivative_backward(grad_db, dc, c / padded(c), padded(c))
-
-    gradcheck(lambda dc, c: dc / padded(c) - c * dc.sum(0) / padded(c)**2, backward,
-              (rng.normal(size=(3, 4)), SIGNS), name="normalize_derivative")
+@exercise("7.12")
+def test_the_middle_pixel_pulls_at_its_corners_on_paper(impl):
+    """A sign, or x and y exchanged. Edge k is not across from corner k, or a corner gets the
+    gradient of one of its two edges alone. It is not divided by s, or twice. z gets a gradient.
+    """
+    # 3 * 8 + 1 * 16 - 4 * 10 = 0: s has no share, and grad_e = grad_b / 8
+    grad_b = np.array([[[8.0, 16.0, -10.0]]])
+    assert_close(impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE), PULLED)
 
 
-@exercise("7.17")
-def test_two_planes_on_paper(impl):
-    """M is transposed, or not inverted. z is divided by w. The planes are not divided by the
-    determinant, or its sign is lost."""
-    assert_close(impl.depth_planes(DEPTHS, TWO), PLANES)
+@exercise("7.12")
+def test_what_all_three_weights_gain_changes_nothing(impl):
+    """The share of the sum s is left out: b sums to 1 wherever the corners are. Or its sign."""
+    grad_b = np.array([[[32.0, 40.0, 14.0]]])  # 24 more for each
+    assert_close(impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE), PULLED)
 
 
-@exercise("7.17")
-def test_a_plane_has_the_depth_of_its_corners(impl, rng):
-    """z is divided by w first, or a face gets another one's plane: planes . q_k = z_k."""
-    corners, z = corners_of(rng, 5), rng.normal(size=(3, 5))
-    planes = impl.depth_planes(z, corners)
-    assert_close(np.einsum("if,ikf->kf", planes, corners), z)
+@exercise("7.12")
+def test_a_clockwise_face_is_pulled_alike(impl):
+    """The sign of s is lost, or c stands for b."""
+    grad_b = np.array([[[14.0, 40.0, 32.0]]])  # corner 2 comes first
+    got = impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE[:, ::-1])
+    assert_close(got, PULLED)
 
 
-@exercise("7.18")
-def test_a_depth_pulls_at_its_corners_on_paper(impl):
-    """grad_z: M^-1 is transposed, or not divided by the determinant. grad_corners: the minus sign,
-    rows and columns, z or grad_planes in place of the planes."""
-    grad_planes = np.array([[1.0, 3.0], [0.25, -2.0], [1.0, 2.0]])
-    weights = np.array([[0.625, 1.5], [0.5, 4.5], [0.125, -2.0]])  # M weights = grad_planes
-    got = impl.depth_planes_backward(grad_planes, DEPTHS, TWO)
-    assert_close(got, (weights, -PLANES[:, None] * weights))
+@exercise("7.12")
+def test_w_gets_a_share_of_x_and_of_y(impl):
+    """w is taken for a constant, or only x - X w is remembered, or only y - Y w. The sign, or X and
+    Y exchanged. A vertex's w moves its corner by -X and -Y.
+    """
+    grad_b, seen = np.zeros((2, 4, 3)), np.full((2, 4), -1)
+    grad_b[1, 2], seen[1, 2] = [8.0, 16.0, -10.0], 0  # X = 1/4, Y = 1/2
+    grad_x, grad_y, _, grad_w = np.transpose(
+        impl.barycentrics_backward(grad_b, seen, CORNERS, FACE))
+    assert (np.abs(grad_x + grad_y) > 0.1).all()
+    assert_close(grad_w, -grad_x / 4 - grad_y / 2)
 
 
-@exercise("7.18")
-def test_the_gradients_of_planes_are_central_differences(impl, rng, gradcheck):
-    """A matrix is transposed, or one face's gradient goes to another."""
-    def forward(z, corners):
-        return np.stack([np.linalg.solve(corners[..., f].T, z[:, f]) for f in range(5)], -1)
+@exercise("7.12")
+def test_a_vertex_sums_what_all_its_pixels_say(impl, rng):
+    """A pixel overwrites what another one said, as by = or by grad[vertex] += for np.add.at."""
+    grad_b, seen, pixels = rng.normal(size=(2, 5, 3)), SEEN.reshape(2, 5), np.arange(10)
+    alone = [impl.barycentrics_backward(grad_b, np.where(pixels.reshape(2, 5) == one, seen, -1),
+                                        CLIP, FACES) for one in pixels]
+    together = impl.barycentrics_backward(grad_b, seen, CLIP, FACES)
+    assert np.abs(together[:4, [0, 1, 3]]).min() > 1e-3
+    assert_close(together, np.sum(alone, 0), atol=1e-9)
 
-    gradcheck(forward, impl.depth_planes_backward, (rng.normal(size=(3, 5)), corners_of(rng, 5)),
-              name="depth_planes")
+
+@exercise("7.12")
+@pytest.mark.parametrize("height, width", [(2, 5), (5, 2)])
+def test_the_gradients_of_pictures_are_central_differences(impl, height, width, gradcheck):
+    """Rows and columns are exchanged, or grad_b is another pixel's. Right for one face, or for
+    vertices before the camera alone.
+    """
+    seen = SEEN.reshape(height, width)
+
+    def forward(clip):
+        c = solved(seen, clip)
+        return c / c.sum(-1, keepdims=True)
+
+    def backward(grad, clip):
+        picture = np.full((height, width, 3), 7.0)  # where no face is seen, it counts for nothing
+        picture[seen >= 0] = grad
+        return impl.barycentrics_backward(picture, seen, clip, FACES)
+
+    gradcheck(forward, backward, (CLIP,), name="barycentrics")
+
+
+@exercise("7.12")
+@pytest.mark.parametrize("winding", [1, -1])
+def test_epsilon_makes_the_divisor_larger(impl, winding):
+    """epsilon is left out of b = e / d or of 1 / d, or it makes a negative sum smaller."""
+    grad_b = np.array([[[32.0, 48.0, 24.0]]])[..., ::winding]
+    got = impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE[:, ::winding], 8)
+    # d = 16, b = (3, 1, 4) / 16, grad_b . b = 15, grad_e = (17, 33, 9) / 16
+    grad_x, grad_y = [[-15, 35, -100], [-57, 61, -116]]
+    assert_close(16 * got, np.transpose([grad_x, grad_y, [0, 0, 0], [0, 0, 0]]))

@@ -3,7 +3,6 @@ import itertools
 
 import numpy as np
 import pytest
-from corner_matrices import MATRICES, NEAR
 
 from labkit.checks import assert_close, assert_equal, exercise
 
@@ -12,6 +11,16 @@ PAPER = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
 A = np.array([2.0, 0.25, 1.0])  # c = (3, 4, 1) / 8
 VALUES = np.array([8.0, 0.0, 3.0])  # f = 8 - 2 x - 2.5 y, less the target
 BY_M = np.array([[0.75, 1.0, 0.25], [0.9375, 1.25, 0.3125], [-3.0, -4.0, -1.0]])
+
+# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
+NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
+
+# Corners x, y, w in columns. Each shows one of the mistakes.
+MATRICES = {
+    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
+    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
+    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
+    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]])}
 
 each_matrix = pytest.mark.parametrize("m", MATRICES.values(), ids=MATRICES)
 PIXEL = np.array([0.25, -0.375, 1.0])
@@ -122,80 +131,84 @@ def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng, gradc
 
 # --- Gauss and Newton --------------------------------------------------------------------------
 
-@exercise("7.6")
-def test_four_points_on_paper(impl):
-    """by_triangle: the minus sign of eq. (4), M^-1 r for M^-T r, x and y swapped, or the weights
-    are left out. by_values: M is transposed, the 1 of a = (x, y, 1) left out or not last, or the
-    values are multiplied in. Or axes are mixed up, as by reshape: [p, k] is of vertex k."""
-    triangle = np.array([[1.0, 2.0], [5.0, 2.0], [1.0, 4.0]])
-    points = np.array([[2.0, 3.0], [2.0, 2.5], [3.0, 2.25], [1.5, 3.0]])
-    # c_1 = (x - 1) / 4, c_2 = (y - 2) / 2, and c_0 is the rest.
-    weights = np.array([[0.25, 0.25, 0.5], [0.5, 0.25, 0.25],
-                        [0.375, 0.5, 0.125], [0.375, 0.125, 0.5]])
-    # df/dx = (4 - 8) / 4 and df/dy = (3 - 8) / 2. A vertex that moves by 1 brings minus w of it.
-    by_triangle = weights[:, :, None] * np.array([1.0, 2.5])
-    got = impl.residuals_jacobian(np.array([8.0, 4.0, 3.0]), triangle, points)
-    assert_close(got, (weights, by_triangle))
+LEANING = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])
+GREEN = np.array([[0.9, 0.2], [0.1, 0.8], [0.3, 0.4]])  # red and green at the vertices
+AT = np.array([[3.0, 2.0], [4.5, 2.5], [2.0, 0.5], [3.5, 4.0], [-1.0, 6.0], [2.5, 3.0]])
 
 
-@exercise("7.6")
+def sheet(triangle, colours, points):
+    """The colours (P, C) at points of what a triangle is cut from."""
+    m = np.stack([*triangle.T, np.ones(3)])
+    return np.stack([cramer(m, np.array([*point, 1.0])) for point in points]) @ colours
+
+
+def columns(triangle, colours):
+    """The derivatives of all residuals at AT: 6 columns of the vertices, then those of colours."""
+    found = []
+    for step in np.eye(6 + colours.size) * 1e-20j:  # complex steps: no digit is lost
+        by_triangle, by_colours = step[:6].reshape(3, 2), step[6:].reshape(colours.shape)
+        found.append(sheet(triangle + by_triangle, colours + by_colours, AT).imag.ravel() / 1e-20)
+    return np.stack(found, -1)
+
+
+@exercise("7.7")
 @pytest.mark.parametrize("winding", [1, -1])
-def test_the_jacobian_is_central_differences(impl, rng, winding, gradcheck):
-    """Right for a right angle at the origin alone, or for counter-clockwise triangles."""
-    triangle = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])[::winding].copy()
-    points = rng.uniform(0, 7, (5, 2))
-
-    def forward(values, triangle):
-        m = np.stack([*triangle.T, np.ones(3)])
-        return np.array([brightness(values, m, np.array([*p, 1.0]), 0.0) for p in points])
-
-    def backward(grad, values, triangle):
-        by_values, by_triangle = impl.residuals_jacobian(values, triangle, points)
-        return np.einsum("p,pk->k", grad, by_values), np.einsum("p,pki->ki", grad, by_triangle)
-
-    gradcheck(forward, backward, (rng.normal(size=3), triangle), name="residuals")
-
-
-@exercise("7.7")
-def test_linear_residuals_vanish_in_one_step(impl):
-    """A step along the gradient, -J^T r, without the inverse of J^T J. The sign: the step goes
-    uphill. J^T is left out, or stands for J. Something is added to the diagonal of J^T J: the step
-    is damped. A mean over the residuals stands for the sum, or a factor 2 or 1/2 is in it."""
-    jacobian = np.array([[2.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0],
-                         [0.0, 3.0, 1.0, 0.0], [0.0, 0.0, 1.0, 4.0]])
-    step = [-2.0, -3.0, 1.0, 0.5]  # J step = (-4, -5, -8, 3)
-    assert_close(impl.gauss_newton_step(np.array([4.0, 5.0, 8.0, -3.0]), jacobian), step)
-
-
-@exercise("7.7")
-def test_with_too_many_residuals_the_squares_are_least(impl):
-    """Only as many residuals as unknowns are looked at, or J must be square, as np.linalg.inv and
-    np.linalg.solve ask for."""
-    jacobian = np.array([[1.0, 0.0], [0.0, 2.0], [1.0, 1.0], [0.0, 1.0]])
-    got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0, 4.0]), jacobian)
-    # J^T J = [[2, 1], [1, 6]] and J^T f = (4, 11).
-    assert_close(got, [-13 / 11, -18 / 11])
-    got = impl.gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.ones((3, 1)))
-    assert_close(got, [-3.0])
+def test_a_triangle_beside_its_place_gets_there_in_one_step(impl, winding):
+    """The step goes uphill: a sign, of the residuals or of eq. (4). M^-1 r for M^-T r, or M is not
+    inverted. x and y are swapped, or the 1 of a = (x, y, 1) is left out. The weights are left out:
+    all vertices get the whole slope. Channels or vertices are mixed up, as by reshape. Or known
+    colours change.
+    """
+    triangle, shift = LEANING[::winding], np.array([0.5, -0.25])
+    got = impl.fit_step(triangle, GREEN, AT, sheet(triangle + shift, GREEN, AT))
+    assert_close(got, ([shift] * 3, np.zeros((3, 2))), atol=1e-9)
 
 
 @exercise("7.7")
 def test_no_other_step_leaves_smaller_squares(impl, rng):
-    """Right for a few residuals or unknowns alone: what is left of f must be perpendicular to all
-    columns of J."""
-    f, jacobian = rng.normal(size=9), rng.normal(size=(9, 4))
-    left = f + jacobian @ impl.gauss_newton_step(f, jacobian)
-    assert_close(jacobian.T @ left, np.zeros(4), atol=1e-9)
+    """Only as many residuals as unknowns are looked at, or one channel. It is a step along the
+    gradient, -J^T r, without the inverse of J^T J, or it is damped, or too long or too short.
+    """
+    colours, target = rng.uniform(size=(3, 3)), rng.uniform(size=(6, 3))
+    by_triangle, _ = impl.fit_step(LEANING, colours, AT, target)
+    jacobian = columns(LEANING, colours)[:, :6]
+    left = (sheet(LEANING, colours, AT) - target).ravel() + jacobian @ np.ravel(by_triangle)
+    assert_close(jacobian.T @ left, np.zeros(6), atol=1e-9)
 
 
-@exercise("7.7", fine_print=True)
-def test_of_several_steps_it_is_the_shortest(impl):
-    """An error where J^T J is singular and has no inverse, or some other step than the shortest:
-    np.linalg.lstsq and pinv find it."""
-    got = impl.gauss_newton_step(np.array([2.0, 6.0]), np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]))
-    assert_close(got, [-1.0, -1.0, -3.0])
-    got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0]), np.outer([1.0, 2.0, 3.0], [3.0, 4.0]))
-    assert_close(got, [-0.12, -0.16])
+@exercise("7.7")
+def test_six_steps_find_a_triangle(impl):
+    """Right near the target alone. With a mistake in the derivatives it comes nearer by a factor
+    in each step, and does not double its digits.
+    """
+    colours = np.column_stack([GREEN, [0.1, 0.2, 0.9]])
+    target, triangle = sheet(LEANING, colours, AT), LEANING + [[0.5, -0.4], [-0.6, 0.5], [0.3, 0.7]]
+    for _ in range(6):
+        triangle = triangle + impl.fit_step(triangle, colours, AT, target)[0]
+    assert_close(triangle, LEANING, atol=1e-9)
+
+
+@exercise("7.7")
+def test_colours_are_found_in_one_step(impl):
+    """The colours' columns are those of another channel or vertex, or the values stand in them. Or
+    a sign. In a picture of one colour the vertices' columns are 0, and J^T J has no inverse.
+    """
+    flat = np.array([[0.5, 0.25]] * 3)
+    got = impl.fit_step(LEANING, flat, AT, sheet(LEANING, GREEN, AT), True)
+    assert_close(got, (np.zeros((3, 2)), GREEN - flat), atol=1e-9)
+
+
+@exercise("7.7")
+@pytest.mark.parametrize("channels", [1, 3])
+def test_of_the_best_steps_it_is_the_shortest(impl, rng, channels):
+    """Vertices and colours are solved for one after the other, not at once. Or an error where
+    J^T J has no inverse, or some other of many steps: np.linalg.lstsq and pinv find the shortest.
+    """
+    colours, target = rng.uniform(size=(3, channels)), rng.uniform(size=(6, channels))
+    by_triangle, by_colours = impl.fit_step(LEANING, colours, AT, target, True)
+    wanted = np.linalg.pinv(columns(LEANING, colours)) @ np.ravel(
+        target - sheet(LEANING, colours, AT))
+    assert_close(np.concatenate([np.ravel(by_triangle), np.ravel(by_colours)]), wanted, atol=1e-8)
 
 
 # --- in perspective ----------------------------------------------------------------------------

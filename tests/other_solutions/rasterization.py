@@ -15,15 +15,6 @@ def edge_function(p, a, b):
     return e[()]
 
 
-def edge_function_backward(grad_e, p, a, b):
-    # The determinant stays the same when p, a, b are rotated: one rule for all three.
-    def slope(after, before):
-        return np.stack([grad_e * (after[..., 1] - before[..., 1]),
-                         grad_e * (before[..., 0] - after[..., 0])], -1)
-
-    return [slope(a, b), slope(b, p), slope(p, a)]
-
-
 
 
 def screen_weights(p, triangle):
@@ -68,8 +59,3 @@ def rasterize(clip, faces, width, height):
     deep = np.array([np.where(covered, depth, np.inf) for covered, depth in found])
     nearest = deep.min(0)
     return np.where(np.isfinite(nearest), deep.argmin(0), -1), nearest
-
-
-def system(px, py, x, y, w):
-    """sum b_k w_k (x_k - px) = 0, the same in y, and sum b_k = 1: the inverses (N, 3, 3)."""
-    return np.linalg.inv(np.moveaxis([w * (x - px), w * (y - py), np.ones_like(w)], -1, 0))

@@ -1,4 +1,4 @@
-"""Lab 7 once more: solving for inverting, Jacobians element by element, face by face."""
+"""Lab 7 once more: solving for inverting, complex steps, derivatives element by element."""
 import numpy as np
 
 
@@ -8,27 +8,28 @@ def inverse_differential(m, dm):
     return np.linalg.inv(blocks)[:3, 3:]
 
 
+def residual_slope(values, m, a, i, j):
+    # The weights c and the slope M^-T r, one number of each.
+    return -np.linalg.solve(np.transpose(m), values)[i] * np.linalg.solve(m, a)[j]
+
+
 def residual_backward(grad_f, values, m, a, target):
     share, slope = np.linalg.solve(m, a), np.linalg.solve(m.T, values)
     return [grad_f * share, -grad_f * slope[:, None] * share[None, :], grad_f * slope, -grad_f]
 
 
-def residuals_jacobian(values, triangle, points):
-    by_values, by_triangle = np.empty((len(points), 3)), np.empty((len(points), 3, 2))
-    (edge, other), origin = triangle[1:] - triangle[0], triangle[0]
-    # The picture is a plane: its slope g has g . edge = the difference of values.
-    slope = np.linalg.solve([edge, other], values[1:] - values[0])
-    for p, point in enumerate(points):
-        second, third = np.linalg.solve(np.transpose([edge, other]), point - origin)
-        by_values[p] = 1 - second - third, second, third
-        by_triangle[p] = [-slope * share for share in by_values[p]]
-    return by_values, by_triangle
+def fit_step(triangle, colours, points, target, colours_too=False):
+    # The derivatives are complex steps, and the pseudoinverse finds the shortest change.
+    def residuals(unknowns):
+        m = np.vstack([unknowns[:6].reshape(3, 2).T, [1, 1, 1]])
+        c = np.linalg.solve(m, np.vstack([np.transpose(points), np.ones(len(points))]))
+        return (c.T @ unknowns[6:].reshape(3, -1) - target).ravel()
 
-
-def gauss_newton_step(residuals, jacobian):
-    u, size, v = np.linalg.svd(jacobian, full_matrices=False)
-    used = size > 1e-12 * size.max(initial=0)
-    return -v[used].T @ ((u.T @ residuals)[used] / size[used])
+    there = np.concatenate([np.ravel(triangle), np.ravel(colours)])
+    steps = np.eye(there.size)[:there.size if colours_too else 6]
+    columns = np.stack([residuals(there + 1e-20j * step).imag / 1e-20 for step in steps], -1)
+    change = steps.T @ np.linalg.pinv(columns, 1e-12) @ -residuals(there)
+    return change[:6].reshape(3, 2), change[6:].reshape(np.shape(colours))
 
 
 def barycentric_backward(grad_b, m, a):

@@ -152,3 +152,8 @@ def test_a_small_face_far_out_keeps_its_digits(size):
 
 
 # --- one face ----------------------------------------------------------------------------------
+
+def test_epsilon_makes_the_sum_larger():
+    """Added to a negative sum, it makes that smaller; or it is left out, or 0 has no sign."""
+    e = np.array([[1.0, -3.0, 1.0, 0.0], [2.0, 0.0, -1.0, 0.0], [4.0, 0.0, 0.0, 0.0]])
+    np.testing.assert_array_equal(gradients.padded_sum(e, 1.0), [8.0, -4.0, 1.0, 1.0])
