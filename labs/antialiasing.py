@@ -14,8 +14,8 @@ owns the edge.
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
 and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
-The last crossing and the clip of `blend_weight` are refinements by nvdiffrast. outlines.py finds
-the pairs of a picture, which `blend_pairs` blends.
+`last_crossing` and a c that counts as 0 or 1 are refinements by nvdiffrast. outlines.py finds the
+pairs of a picture, which `blend_pairs` blends.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -46,7 +46,8 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
     """Which vertex lies across each edge of each face? -1 for none.
 
     faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
-    is the third vertex of the other face at this edge, wound either way.
+    is the third vertex of the other face at this edge, wound either way. Inner edges are blended
+    like borders in `python3 -m course demo --impl labs borders` if it is wrong.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
@@ -78,31 +79,6 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     raise NotImplementedError("exercise 8.2: silhouette_edges")
 
 
-def neighbour_pairs(face_index):  # step 8.3
-    """Which neighbouring pixels see different faces, so that the picture may jump between them?
-
-    face_index (H, W), -1 for no face -> first, second (N,), pixels numbered row * W + column. Pairs
-    of left and right come before pairs of lower and upper, both sorted by first.
-
-    >>> neighbour_pairs(np.array([[0, 0, 1], [0, 2, 2]]))
-    (array([1, 3, 1, 2]), array([2, 4, 4, 5]))
-    """
-    raise NotImplementedError("exercise 8.3: neighbour_pairs")
-
-
-def owner_and_other(first, second, depth):  # step 8.4
-    """Which pixel of each pair sees the nearer face, and so owns the edge?
-
-    first, second (N,), pixels numbered row * W + column, depth (H, W), np.inf for no face
-    -> owner, other (N,). If both are equally deep, the second is the owner.
-
-    >>> depth = np.array([[0.5, np.inf], [0.25, 0.5]])
-    >>> owner_and_other(np.array([0, 2, 0]), np.array([1, 3, 2]), depth)
-    (array([0, 2, 2]), array([1, 3, 0]))
-    """
-    raise NotImplementedError("exercise 8.4: owner_and_other")
-
-
 def pair_step(owner, other, width):
     """From the owner's to the other's centre: dx, dy (N,), one of them 0, the other one 1 or -1."""
     row, column = np.divmod(owner, width)
@@ -121,15 +97,6 @@ def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
     (array([[-0.5, -2.5]]), array([[2.5, 0.5]]))
     """
     raise NotImplementedError("exercise 8.5: pair_frame")
-
-
-def pair_frame_backward(grad_x, grad_y, owner, other, width):  # step 8.6
-    """Backward of eq. (2): grad_x, grad_y (K, N) -> grad_screen_x, grad_screen_y (K, N).
-
-    >>> pair_frame_backward(np.array([[5.0]]), np.array([[7.0]]), np.array([10]), np.array([2]), 8)
-    (array([[7.]]), array([[-5.]]))
-    """
-    raise NotImplementedError("exercise 8.6: pair_frame_backward")
 
 
 def crossing(x0, y0, x1, y1):  # step 8.7
@@ -178,18 +145,6 @@ def last_crossing(x, y, w):  # step 8.9
     raise NotImplementedError("exercise 8.9: last_crossing")
 
 
-def blend_weight(c):  # step 8.11
-    """Eq. (4): how far does the blend go, alpha (N,), for edges that cross at c (N,)?
-
-    >>> blend_weight(np.array([0.0, 0.25, 1.0]))
-    array([ 0.5 ,  0.25, -0.5 ])
-
-    Fine print. A c outside of [0, 1] counts as 0 or 1: no pixel gives away more than half of its
-    colour.
-    """
-    raise NotImplementedError("exercise 8.11: blend_weight")
-
-
 def blend_pairs(colour, pairs):  # exercise 8.13 (3 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
@@ -203,7 +158,7 @@ def blend_pairs(colour, pairs):  # exercise 8.13 (3 points)
             [5.  ]]])
 
     Fine print. The output is of floats, as a blend of integers is no integer. A c outside of [0, 1]
-    counts as 0 or 1, see `blend_weight`.
+    counts as 0 or 1: no pixel gives away more than half of its colour.
     """
     raise NotImplementedError("exercise 8.13: blend_pairs")
 

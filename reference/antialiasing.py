@@ -14,8 +14,8 @@ owns the edge.
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
 and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
-The last crossing and the clip of `blend_weight` are refinements by nvdiffrast. outlines.py finds
-the pairs of a picture, which `blend_pairs` blends.
+`last_crossing` and a c that counts as 0 or 1 are refinements by nvdiffrast. outlines.py finds the
+pairs of a picture, which `blend_pairs` blends.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -46,7 +46,8 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
     """Which vertex lies across each edge of each face? -1 for none.
 
     faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
-    is the third vertex of the other face at this edge, wound either way.
+    is the third vertex of the other face at this edge, wound either way. Inner edges are blended
+    like borders in `python3 -m course demo --impl labs borders` if it is wrong.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
@@ -98,38 +99,6 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     return silhouette
 
 
-def neighbour_pairs(face_index):  # step 8.3
-    """Which neighbouring pixels see different faces, so that the picture may jump between them?
-
-    face_index (H, W), -1 for no face -> first, second (N,), pixels numbered row * W + column. Pairs
-    of left and right come before pairs of lower and upper, both sorted by first.
-
-    >>> neighbour_pairs(np.array([[0, 0, 1], [0, 2, 2]]))
-    (array([1, 3, 1, 2]), array([2, 4, 4, 5]))
-    """
-    width = face_index.shape[1]
-    face = face_index.ravel()
-    left = np.flatnonzero(face[:-1] != face[1:])
-    left = left[left % width < width - 1]  # the end of a row has no neighbour in the next one
-    lower = np.flatnonzero(face[:-width] != face[width:])
-    return np.concatenate([left, lower]), np.concatenate([left + 1, lower + width])
-
-
-def owner_and_other(first, second, depth):  # step 8.4
-    """Which pixel of each pair sees the nearer face, and so owns the edge?
-
-    first, second (N,), pixels numbered row * W + column, depth (H, W), np.inf for no face
-    -> owner, other (N,). If both are equally deep, the second is the owner.
-
-    >>> depth = np.array([[0.5, np.inf], [0.25, 0.5]])
-    >>> owner_and_other(np.array([0, 2, 0]), np.array([1, 3, 2]), depth)
-    (array([0, 2, 2]), array([1, 3, 0]))
-    """
-    depth = depth.ravel()
-    is_first = depth[first] < depth[second]
-    return np.where(is_first, first, second), np.where(is_first, second, first)
-
-
 def pair_step(owner, other, width):
     """From the owner's to the other's centre: dx, dy (N,), one of them 0, the other one 1 or -1."""
     row, column = np.divmod(owner, width)
@@ -151,17 +120,6 @@ def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
     row, column = np.divmod(owner, width)
     x, y = screen_x - (column + 0.5), screen_y - (row + 0.5)
     return dx * x + dy * y, np.abs(dy) * x + np.abs(dx) * y
-
-
-def pair_frame_backward(grad_x, grad_y, owner, other, width):  # step 8.6
-    """Backward of eq. (2): grad_x, grad_y (K, N) -> grad_screen_x, grad_screen_y (K, N).
-
-    >>> pair_frame_backward(np.array([[5.0]]), np.array([[7.0]]), np.array([10]), np.array([2]), 8)
-    (array([[7.]]), array([[-5.]]))
-    """
-    # Eq. (2) is a matrix with the rows (dx, dy) and (|dy|, |dx|). The way back is its transpose.
-    dx, dy = pair_step(owner, other, width)
-    return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
 def crossing(x0, y0, x1, y1):  # step 8.7
@@ -225,18 +183,6 @@ def last_crossing(x, y, w):  # step 8.9
     return edge, c[edge, np.arange(len(edge))]
 
 
-def blend_weight(c):  # step 8.11
-    """Eq. (4): how far does the blend go, alpha (N,), for edges that cross at c (N,)?
-
-    >>> blend_weight(np.array([0.0, 0.25, 1.0]))
-    array([ 0.5 ,  0.25, -0.5 ])
-
-    Fine print. A c outside of [0, 1] counts as 0 or 1: no pixel gives away more than half of its
-    colour.
-    """
-    return 0.5 - np.clip(c, 0, 1)
-
-
 def blend_pairs(colour, pairs):  # exercise 8.13 (3 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
@@ -250,9 +196,10 @@ def blend_pairs(colour, pairs):  # exercise 8.13 (3 points)
             [5.  ]]])
 
     Fine print. The output is of floats, as a blend of integers is no integer. A c outside of [0, 1]
-    counts as 0 or 1, see `blend_weight`.
+    counts as 0 or 1: no pixel gives away more than half of its colour.
     """
-    owner, other, alpha = pairs.owner, pairs.other, blend_weight(pairs.c)
+    owner, other, c, *_ = pairs
+    alpha = 0.5 - np.clip(c, 0, 1)
     pixels = np.asarray(colour, float).reshape(-1, colour.shape[-1])
     output = pixels.copy()
     changed = np.where(alpha > 0, owner, other)
@@ -303,7 +250,7 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (5 p
     # times (other - owner). alpha grad_changed goes to the other, and is taken from the owner.
     height, width, channels = colour.shape
     owner, other, c, ends, x, y, *_ = pairs
-    alpha = blend_weight(c)
+    alpha = 0.5 - np.clip(c, 0, 1)
     pixels = np.asarray(colour, float).reshape(-1, channels)
     grad_pixels = np.asarray(grad_output, float).reshape(-1, channels)
     grad_changed = grad_pixels[np.where(alpha >= 0, owner, other)]
@@ -314,5 +261,8 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (5 p
     grad_c = np.where((0 < c) & (c < 1), -grad_alpha, 0.0)
     grad_x0, grad_y0, grad_x1, grad_y1 = crossing_backward(grad_c, x[0], y[0], x[1], y[1], epsilon)
     grad_x, grad_y = np.stack([grad_x0, grad_x1]), np.stack([grad_y0, grad_y1])
-    grad_screen = pair_frame_backward(grad_x, grad_y, owner, other, width)
-    return grad_colour.reshape(colour.shape), ends_backward(*grad_screen, ends, clip, width, height)
+    # Eq. (2) is a matrix with the rows (dx, dy) and (|dy|, |dx|). The way back is its transpose.
+    dx, dy = pair_step(owner, other, width)
+    grad_x, grad_y = dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
+    grad_clip = ends_backward(grad_x, grad_y, ends, clip, width, height)
+    return grad_colour.reshape(colour.shape), grad_clip

@@ -1,7 +1,7 @@
 """What labs have complete: modules that ask nothing. They stand once, for labs and reference.
 
-`from reference import diagnosis` loads one from here, and so does `from labs import diagnosis`. What
-it imports in turn is of the package that asked: a diagnosis of your labs asks your lab 8.
+`from reference import diagnosis` loads one from here, as does `from labs import diagnosis`. What it
+imports in turn is of the package that asked: a diagnosis of your labs asks your lab 8.
 
     diagnosis                lab 8: why a pixel or a vertex has no gradient
     soft_rasterizer          lab 10: SoftRas's silhouettes

@@ -7,22 +7,23 @@ EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 FIELDS = "owner", "other", "c", "ends", "x", "y", "face", "edge"
 
 
-def by_pixel(impl, name, returned):
+def by_pixel(impl, returned):
     """The Pairs that a function returned, sorted by owner and other. Mismatch: they are none."""
-    sizes = [np.shape(field)[-1:] for field in returned] if isinstance(returned, tuple) else []
+    is_one = isinstance(returned, tuple)
+    sizes = [np.shape(field)[-1:] for field in returned] if is_one else []
     if len(sizes) != len(FIELDS) or len(set(sizes)) != 1:
-        raise Mismatch(("wrong", f"{name} must return Pairs: {', '.join(FIELDS)}, each with one "
-                                 "number, or one column, for each pair"))
+        raise Mismatch(("wrong", f"it must return Pairs: {', '.join(FIELDS)}, with a number or a "
+                                 "column for each pair"))
     order = np.lexsort((returned[1], returned[0]))
     return impl.Pairs(*(np.asarray(field)[..., order] for field in returned))
 
 
 def jumping(impl, *scene):
-    return by_pixel(impl, "jumping_pairs", impl.jumping_pairs(*scene))
+    return by_pixel(impl, impl.jumping_pairs(*scene))
 
 
 def blended(impl, *scene):
-    return by_pixel(impl, "blended_pairs", impl.blended_pairs(*scene))
+    return by_pixel(impl, impl.blended_pairs(*scene))
 
 
 # --- which neighbours, and where they look -----------------------------------------------------
@@ -81,7 +82,8 @@ def test_the_owner_s_face_must_be_outlined(impl):
         assert_equal((pairs.owner, pairs.other), ([0, 3], [1, 4]))
 
 
-ALONE = [[-1, -1, -1, -1], [-1, -1, 0, -1], [-1, -1, -1, -1]]  # its pairs: below, left, right, above
+# Its pairs run to below, left, right and above.
+ALONE = [[-1, -1, -1, -1], [-1, -1, 0, -1], [-1, -1, -1, -1]]
 
 
 @exercise("8.10")
@@ -162,9 +164,10 @@ def test_pairs_are_those_of_a_search(impl, rng):
 
 @exercise("8.10", fine_print=True)
 def test_of_equally_deep_pixels_the_second_is_the_owner(impl):
-    """<= for <: the left or lower one is the owner."""
+    """<= for <: the left or lower one is. Or what is nearly as deep counts as equally deep."""
     face_index, _, *rest = seen([[0, 1], [2, 2]])
-    pairs = jumping(impl, face_index, np.full((2, 2), 0.5), *rest)
+    depth = np.array([[0.5, 0.5], [0.5 - 1e-12, 0.5]])
+    pairs = jumping(impl, face_index, depth, *rest)
     assert_equal((pairs.owner, pairs.other), ([1, 2, 3], [0, 0, 1]))
 
 
@@ -193,8 +196,9 @@ def is_blended(impl, ends, opposite=NONE):
     sees the face to the left of it -> bool (N,)."""
     found = []
     for x0, y0, x1, y1 in ends:
-        x, y = np.array([x0, x1, -9.0, 9.0]) + 0.5, np.array([y0, y1, 0.0, 0.0]) + 0.5
-        clip = np.stack([x - 1, 2 * y - 1, 0 * x, 1 + 0 * x], -1)
+        clip = np.zeros((4, 4)) + [-0.5, 0, 0, 1]  # pixel 0 is at (-0.5, 0), pixel 1 at (0.5, 0)
+        clip[:, 0] += [x0, x1, -9.0, 9.0]
+        clip[:2, 1] = 2 * y0, 2 * y1
         pairs = blended(impl, np.array([[0, -1]]), np.array([[0.5, np.inf]]), clip,
                         np.array([[2, 0, 1]]), opposite)
         found.append(len(pairs.owner) == 1)
