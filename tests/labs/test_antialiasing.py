@@ -1,13 +1,14 @@
 """What the exercises of lab 8 must do."""
 import itertools
 
+import edges_in_space
 import numpy as np
 import pytest
+from edges_in_space import EDGES
 
 from course.given import mesh
 from labkit.checks import assert_close, assert_equal, exercise
 
-EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 FOURTH = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)  # the vertex across each of its edges
 
@@ -475,26 +476,18 @@ def test_an_edge_that_crosses_at_infinity_does_not_count(impl):
     assert_crossed(impl, column((0.0, -1.0), (2.0, -1.0), (1.0, -0.5)), [0], [0.0], w)
 
 
-def by_search(count, crossing):
-    """The last edges of count faces, and where: crossing(i, j, n) of edge i j, or -inf."""
-    places = np.array([[crossing(i, j, n) for i, j in EDGES] for n in range(count)])
-    return places.argmax(1), places.max(1)
+def assert_searched(impl, corners, **tolerance):
+    """corners (3, 3, F): of each corner w (x, y, 1)."""
+    x, y, w = corners.swapaxes(0, 1)
+    edge, c = zip(*map(edges_in_space.last_crossing, np.moveaxis(corners, -1, 0)), strict=True)
+    assert_crossed(impl, (x / w, y / w), edge, np.array(c), w, **tolerance)
 
 
 @exercise("8.9", fine_print=True)
 def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
     """w is ignored: an end behind the camera is mirrored, so the part of the edge on screen lies
     elsewhere. Or crossings behind the camera count."""
-    q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face
-
-    def in_front(i, j, n):
-        a, b = q[i, :, n], q[j, :, n]
-        t = a[1] / (a[1] - b[1])
-        at_x, _, at_w = (1 - t) * a + t * b
-        return at_x / at_w if (a[1] < 0) != (b[1] < 0) and at_w > 0 else -np.inf
-
-    assert_crossed(impl, (q[:, 0] / q[:, 2], q[:, 1] / q[:, 2]), *by_search(200, in_front),
-                   q[:, 2], rtol=1e-6, atol=1e-6)
+    assert_searched(impl, rng.normal(size=(3, 3, 200)), rtol=1e-6, atol=1e-6)
 
 
 @exercise("8.9")
@@ -503,12 +496,7 @@ def test_last_crossings_are_those_of_a_search(impl, rng):
     x, y = 3 * rng.normal(size=(2, 3, 60))
     y[:, ::3] = np.round(y[:, ::3]) + 0.5  # some edges along the line, none on it
     y[2] = -np.sign(y[0]) * np.abs(y[2])   # and each face is crossed
-
-    def across(i, j, n):
-        crosses = (y[i, n] < 0) != (y[j, n] < 0)
-        return crossing_of_lines(*(v[k, n] for k in (i, j) for v in (x, y))) if crosses else -np.inf
-
-    assert_crossed(impl, (x, y), *by_search(60, across))
+    assert_searched(impl, np.stack([x, y, np.ones((3, 60))], 1))
 
 
 # --- the blend ---------------------------------------------------------------------------------

@@ -1,9 +1,10 @@
 """What the exercises of lab 8 that find the pairs of a picture must do."""
+import edges_in_space
 import numpy as np
+from edges_in_space import EDGES
 
 from labkit.checks import Mismatch, assert_close, assert_equal, exercise
 
-EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 FIELDS = "owner", "other", "c", "ends", "x", "y", "face", "edge"
 
 
@@ -119,23 +120,13 @@ def by_search(face_index, depth, screen, faces, outlined):
                 continue
             points = np.stack([x, y], -1)[faces[face]] - [j + 0.5, i + 0.5]
             points = np.column_stack([points @ [right, up], points @ [abs(up), abs(right)]])
-            places = [in_space(points[a], points[b], *w[faces[face, [a, b]]]) for a, b in EDGES]
-            edge = int(np.argmax(places))
+            corners = w[faces[face], None] * np.insert(points, 2, 1, 1)
+            edge, c = edges_in_space.last_crossing(corners)
             ends = list(EDGES[edge])
-            found.append((i * width + j, k * width + m, places[edge], faces[face, ends],
+            found.append((i * width + j, k * width + m, c, faces[face, ends],
                           points[ends, 0], points[ends, 1], face, edge))
     return [np.array(values).T for values in zip(*sorted(found, key=lambda one: one[:2]),
                                                  strict=True)]
-
-
-def in_space(p, q, w_p, w_q):
-    """Where the edge between two corners crosses y = 0 before the camera. -inf: nowhere."""
-    p, q = w_p * np.append(p, 1), w_q * np.append(q, 1)
-    if (p[1] < 0) == (q[1] < 0):
-        return -np.inf
-    t = p[1] / (p[1] - q[1])
-    x, _, w = (1 - t) * p + t * q
-    return x / w if w > 0 else -np.inf
 
 
 def soup(rng, w):
