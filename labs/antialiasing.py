@@ -198,7 +198,7 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (5 p
            [-5.   ,  0.625]]))
 
     Fine print. Eq. (5) has a kink at alpha = 0: the owner changes on one side of it, the other
-    pixel on the other side. Take the owner's side there, as nvdiffrast does. epsilon is that of
-    `crossing_backward`.
+    pixel on the other side. Take the owner's side there, as nvdiffrast does. A c outside of [0, 1]
+    counts as 0 or 1. epsilon is that of `crossing_backward`.
     """
     raise NotImplementedError("exercise 8.14: blend_pairs_backward")

@@ -243,8 +243,8 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (5 p
            [-5.   ,  0.625]]))
 
     Fine print. Eq. (5) has a kink at alpha = 0: the owner changes on one side of it, the other
-    pixel on the other side. Take the owner's side there, as nvdiffrast does. epsilon is that of
-    `crossing_backward`.
+    pixel on the other side. Take the owner's side there, as nvdiffrast does. A c outside of [0, 1]
+    counts as 0 or 1. epsilon is that of `crossing_backward`.
     """
     # For either sign of alpha, changed += alpha (other - owner). So grad_alpha is grad_changed
     # times (other - owner). alpha grad_changed goes to the other, and is taken from the owner.

@@ -740,6 +740,15 @@ def test_at_zero_the_owner__s_side_counts(impl):
 
 
 @exercise("8.14", fine_print=True)
+def test_a_pixel_gives_away_at_most_half_of_its_gradient(impl):
+    """c is not clipped in the weights of the colours: outside of [0, 1] it counts as 0 or 1."""
+    grad_output = np.arange(12.0).reshape(2, 3, 2)
+    grads = [colours_backward(impl, grad_output, colours(), [0, 4], [1, 5], c)
+             for c in ((-0.06, 1.05), (0.0, 1.0))]
+    assert_close(grads[0], grads[1])
+
+
+@exercise("8.14", fine_print=True)
 def test_epsilon_reaches_the_crossing(impl):
     """It is ignored: c = (x0 y1 - x1 y0) r, r = 1 / (h + epsilon), keeps r finite."""
     got = ends_backward(impl, [0, 1, 0, 0], [8, 0, 0, 0], 0, ((0.25, -1.0), (0.25, 3.0)),
