@@ -183,7 +183,7 @@ def last_crossing(x, y, w):  # step 8.9
     return edge, c[edge, np.arange(len(edge))]
 
 
-def blend_pairs(colour, pairs):  # exercise 8.13 (3 points)
+def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
@@ -224,7 +224,7 @@ def ends_backward(grad_x, grad_y, ends, clip, width, height):
     return grad_clip
 
 
-def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (5 points)
+def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 points)
                          epsilon=0.0):
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
