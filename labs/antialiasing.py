@@ -14,27 +14,40 @@ owns the edge.
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
 and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
-`last_crossing`, `is_blended` and the clip of `blend_weight` are refinements by nvdiffrast. With
-these steps outlines.py finds the pairs of a picture, which `blend_pairs` blends.
+`last_crossing` and a c that counts as 0 or 1 are refinements by nvdiffrast. outlines.py finds the
+pairs of a picture, which `blend_pairs` blends.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
+from typing import NamedTuple
+
 import numpy as np
 
 from course.given import mesh
 from course.given.arrays import EDGES, scatter, scatter_first
 
-from . import transforms
-from .rasterization import edge_function, screen_points
+from .rasterization import screen_points
 
-WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
+
+class Pairs(NamedTuple):
+    """N pairs of neighbouring pixels, each with an edge of the owner's face."""
+
+    owner: np.ndarray  # (N,) number of the pixel, row * W + column
+    other: np.ndarray  # (N,)
+    c: np.ndarray      # (N,) where the edge crosses, eq. (3)
+    ends: np.ndarray   # (2, N) the vertices at the edge's ends, as EDGES[edge] has them
+    x: np.ndarray      # (2, N) where these are in the pair's frame
+    y: np.ndarray      # (2, N)
+    face: np.ndarray   # (N,) the owner's face
+    edge: np.ndarray   # (N,) which of this face's edges, from 0 to 2
 
 
 def opposite_vertices(faces):  # exercise 8.1 (3 points)
     """Which vertex lies across each edge of each face? -1 for none.
 
     faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
-    is the third vertex of the other face at this edge, wound either way.
+    is the third vertex of the other face at this edge, wound either way. Inner edges are blended
+    like borders in `python3 -m course demo --impl labs borders` if it is wrong.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
@@ -66,44 +79,6 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     raise NotImplementedError("exercise 8.2: silhouette_edges")
 
 
-def neighbour_pairs(face_index, outlined):  # extra 8.3 (2 points)
-    """Which neighbouring pixels see different faces, so that the picture may jump between them?
-
-    face_index (H, W), -1 for no face, outlined (H, W) bool -> first, second (N,), pixels numbered
-    row * W + column. At least one of the two is outlined. Pairs of left and right come before pairs
-    of lower and upper, both sorted by first.
-
-    >>> neighbour_pairs(np.array([[0, 0, 1], [0, 2, 1]]), np.array([[1, 1, 0], [0, 0, 0]]) > 0)
-    (array([1, 1]), array([2, 4]))
-    """
-    width = face_index.shape[1]
-    face, outlined = face_index.ravel(), outlined.ravel()
-
-    def before_jump(step):
-        differs = face[:-step] != face[step:]
-        return np.flatnonzero(differs & (outlined[:-step] | outlined[step:]))
-
-    left = before_jump(1)
-    left = left[left % width < width - 1]  # the end of a row has no neighbour in the next one
-    lower = before_jump(width)
-    return np.concatenate([left, lower]), np.concatenate([left + 1, lower + width])
-
-
-def owner_and_other(first, second, depth):
-    """Which pixel of each pair sees the nearer face, and so owns the edge?
-
-    first, second (N,), pixels numbered row * W + column, depth (H, W), np.inf for no face
-    -> owner, other (N,). If both are equally deep, the second is the owner.
-
-    >>> depth = np.array([[0.5, np.inf], [0.25, 0.5]])
-    >>> owner_and_other(np.array([0, 2, 0]), np.array([1, 3, 2]), depth)
-    (array([0, 2, 2]), array([1, 3, 0]))
-    """
-    depth = depth.ravel()
-    is_first = depth[first] < depth[second]
-    return np.where(is_first, first, second), np.where(is_first, second, first)
-
-
 def pair_step(owner, other, width):
     """From the owner's to the other's centre: dx, dy (N,), one of them 0, the other one 1 or -1."""
     row, column = np.divmod(owner, width)
@@ -111,7 +86,7 @@ def pair_step(owner, other, width):
     return other_column - column, other_row - row
 
 
-def pair_frame(screen_x, screen_y, owner, other, width):  # extra 8.5 (2 points)
+def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
     """Eq. (2): points in their pair's frame, the owner's centre at x = 0, the other's at x = 1.
 
     screen_x, screen_y (K, N) are K points for each of N pairs. owner, other (N,) are pixels,
@@ -121,24 +96,10 @@ def pair_frame(screen_x, screen_y, owner, other, width):  # extra 8.5 (2 points)
     >>> pair_frame(x, y, np.array([10, 10]), np.array([9, 2]), 8)  # (2.5, 1.5): left, below
     (array([[-0.5, -2.5]]), array([[2.5, 0.5]]))
     """
-    dx, dy = pair_step(owner, other, width)
-    row, column = np.divmod(owner, width)
-    x, y = screen_x - (column + 0.5), screen_y - (row + 0.5)
-    return dx * x + dy * y, np.abs(dy) * x + np.abs(dx) * y
+    raise NotImplementedError("exercise 8.5: pair_frame")
 
 
-def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 point)
-    """Backward of eq. (2): grad_x, grad_y (K, N) -> grad_screen_x, grad_screen_y (K, N).
-
-    >>> pair_frame_backward(np.array([[5.0]]), np.array([[7.0]]), np.array([10]), np.array([2]), 8)
-    (array([[7.]]), array([[-5.]]))
-    """
-    # Eq. (2) is a matrix with the rows (dx, dy) and (|dy|, |dx|). The way back is its transpose.
-    dx, dy = pair_step(owner, other, width)
-    return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
-
-
-def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
+def crossing(x0, y0, x1, y1):  # step 8.7
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
     x0, y0, x1, y1 (...), y0 and y1 different.
@@ -152,7 +113,7 @@ def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
     raise NotImplementedError("exercise 8.7: crossing")
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 points)
+def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.8
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
@@ -166,7 +127,7 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 p
     raise NotImplementedError("exercise 8.8: crossing_backward")
 
 
-def last_crossing(x, y, w):  # extra 8.9 (3 points)
+def last_crossing(x, y, w):  # step 8.9
     """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
     x, y, w (3, N), a face's corners in the pair's frame -> edge (N,), c (N,) of eq. (3). Edge k
@@ -181,117 +142,63 @@ def last_crossing(x, y, w):  # extra 8.9 (3 points)
     compare s y with 0, where s is the sign of w. The crossing lies in front of the camera if
     s_i |y_j| + s_j |y_i| > 0, for ends i and j.
     """
-    front = np.sign(w)  # and not w: a product of three of its size may over- or underflow
-    above = front * y
-    c = np.full(x.shape, -np.inf)
-    for k, (i, j) in enumerate(EDGES):
-        crosses = (above[i] < 0) != (above[j] < 0)
-        crosses &= front[i] * np.abs(y[j]) + front[j] * np.abs(y[i]) > 0
-        c[k, crosses] = crossing(*(corner[crosses] for corner in (x[i], y[i], x[j], y[j])))
-    edge = c.argmax(0)
-    return edge, c[edge, np.arange(len(edge))]
+    raise NotImplementedError("exercise 8.9: last_crossing")
 
 
-def is_blended(c, is_silhouette, x0, y0, x1, y1):  # extra 8.10 (2 points)
-    """Is the pair blended by this edge, a steep silhouette that crosses between the centres?
+def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
+    """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
-    c (N,) of eq. (3), is_silhouette (N,) bool, the edge's ends in the pair's frame, (N,) each
-    -> bool (N,). Steep edges are at least as long in y as in x. c lies between 0 and 1, or less
-    than WINDOW outside.
+    Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
+    be in several pairs. Every picture of `python3 -m course demo --impl labs bunny` ends here.
 
-    >>> one = np.ones(4)
-    >>> is_blended(np.array([0.5, -0.05, -0.07, 0.5]), one > 0, 0 * one, -one, np.arange(4.0), one)
-    array([ True,  True, False, False])
-    """
-    is_steep = np.abs(y1 - y0) >= np.abs(x1 - x0)
-    return is_silhouette & is_steep & (c > -WINDOW) & (c < 1 + WINDOW)
-
-
-def blend_weight(c):  # exercise 8.11 (1 point)
-    """Eq. (4): how far does the blend go, alpha (N,), for edges that cross at c (N,)?
-
-    >>> blend_weight(np.array([0.0, 0.25, 1.0]))
-    array([ 0.5 ,  0.25, -0.5 ])
-
-    Fine print. A c outside of [0, 1] counts as 0 or 1: no pixel gives away more than half of its
-    colour.
-    """
-    raise NotImplementedError("exercise 8.11: blend_weight")
-
-
-def blend_weight_backward(grad_alpha, c):
-    """Backward of eq. (4): grad_alpha, c (N,) -> grad_c (N,), 0 where c <= 0 or c >= 1.
-
-    >>> blend_weight_backward(np.array([2.0, 2.0, 2.0]), np.array([-0.01, 0.25, 1.0]))
-    array([ 0., -2.,  0.])
-    """
-    # dalpha/dc = -1. A saturated alpha no longer depends on c.
-    return np.where((0 < c) & (c < 1), -grad_alpha, 0.0)
-
-
-def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points)
-    """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
-
-    Pixels are numbered row * W + column, and a pixel may be in several pairs.
-
-    >>> blend(np.array([[[0.0], [1.0], [5.0]]]), np.array([0, 2]), np.array([1, 1]),
-    ...       np.array([0.25, -0.5]))
+    >>> pairs = Pairs(np.array([0, 2]), np.array([1, 1]), np.array([0.25, 1.0]), *5 * [None])
+    >>> blend_pairs(np.array([[[0.0], [1.0], [5.0]]]), pairs)
     array([[[0.25],
             [3.  ],
             [5.  ]]])
 
-    Fine print. The output is of floats, as a blend of integers is no integer.
+    Fine print. The output is of floats, as a blend of integers is no integer. A c outside of [0, 1]
+    counts as 0 or 1: no pixel gives away more than half of its colour.
     """
-    raise NotImplementedError("exercise 8.13: blend")
+    raise NotImplementedError("exercise 8.13: blend_pairs")
 
 
-def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (3 points)
-    """Backward of eq. (5): grad_output (H, W, C) -> grad_colour (H, W, C), grad_alpha (N,).
+def ends_backward(grad_x, grad_y, ends, clip, width, height):
+    """From edges' ends on screen to clip space: grad_x, grad_y, ends (2, N) -> grad_clip (V, 4).
 
-    >>> colour, grad_output = np.array([[[0.0], [1.0]]]), np.array([[[10.0], [100.0]]])
-    >>> blend_backward(grad_output, colour, np.array([0]), np.array([1]), np.array([0.25]))
-    (array([[[  7.5],
-            [102.5]]]), array([10.]))
-
-    Fine print. Eq. (5) has a kink at alpha = 0: the owner changes on one side of it, the other
-    pixel on the other side. Take the owner's side there, as nvdiffrast does.
+    A vertex sums the gradients of all edges that end there. Only such vertices go back to clip
+    space, by lab 1's viewport and divide, with the w of `screen_points`.
     """
-    raise NotImplementedError("exercise 8.14: blend_backward")
+    vertex, end = np.unique(ends, return_inverse=True)
+    grads = scatter(np.stack([grad_x, grad_y], -1), end.reshape(ends.shape), len(vertex))
+    *_, w = screen_points(clip[vertex], width, height)
+    grad_xy = grads * [width / 2, height / 2] / w[:, None]
+    grad_clip = np.zeros(clip.shape)
+    grad_clip[vertex, :2] = grad_xy
+    grad_clip[vertex, 3] = -(grad_xy * clip[vertex, :2]).sum(1) / w
+    return grad_clip
 
 
-def blend_pairs(colour, pairs):
-    """Eqs. (4) and (5) for the Pairs of outlines.py: colour (H, W, C) -> output (H, W, C)."""
-    return blend(colour, pairs.owner, pairs.other, blend_weight(pairs.c))
-
-
-def screen_points_backward(grad_x, grad_y, clip, width, height):
-    """Backward of `screen_points` for x and y: grad_x, grad_y (V,) -> grad_clip (V, 4)."""
-    # Lab 1's viewport and divide, read upwards. The w is the one that the forward divides by.
-    *_, w = screen_points(clip, width, height)
-    grad_screen = np.stack([grad_x, grad_y, 0 * grad_x], -1)
-    grad_ndc = transforms.to_screen_backward(grad_screen, width, height)
-    return transforms.perspective_divide_backward(grad_ndc, np.column_stack([clip[:, :3], w]))
-
-
-def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
+def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 points)
+                         epsilon=0.0):
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
-    pairs of `blended_pairs`, clip (V, 4). epsilon: of `crossing_backward`, in pixels.
+    pairs: of `blended_pairs`. clip (V, 4). Go back through (5) and (4) to c, which has a gradient
+    where 0 < c < 1. Then go through (3) to its edge's ends, pairs.x and pairs.y (2, N), and through
+    (2) to the screen. The given `ends_backward` takes them, and grad_x and grad_y (2, N) there, to
+    the vertices. You see it at work in `python3 -m course demo --impl labs fit_triangle`.
 
-    Fine print. Near the camera plane digits are lost: where w is a millionth of x or y, six digits
-    of the gradient with respect to w are right.
+    >>> ends = np.array([[0], [1]]), np.array([[0.0], [0.5]]), np.array([[-1.0], [1.0]])
+    >>> pairs = Pairs(np.array([0]), np.array([1]), np.array([0.25]), *ends, None, None)
+    >>> clip = np.array([[-0.5, -1.0, 0.0, 1.0], [0.0, 3.0, 0.0, 1.0]])
+    >>> colour, grad_output = np.array([[[0.0], [1.0]]]), np.array([[[10.0], [100.0]]])
+    >>> grad_colour, grad_clip = blend_pairs_backward(grad_output, colour, pairs, clip)
+    >>> grad_colour.ravel(), grad_clip[:, :2]
+    (array([  7.5, 102.5]), array([[-5.   ,  0.625],
+           [-5.   ,  0.625]]))
+
+    Fine print. Eq. (5) has a kink at alpha = 0: the owner changes on one side of it, the other
+    pixel on the other side. Take the owner's side there, as nvdiffrast does. A c outside of [0, 1]
+    counts as 0 or 1. epsilon is that of `crossing_backward`.
     """
-    # (5), (4), (3) and (2), as far as the edges' ends. Then each vertex sums the gradients of all
-    # edges that end there, and only such vertices go back to clip space.
-    height, width, _ = colour.shape
-    owner, other, c, ends, x, y, *_ = pairs
-    grad_colour, grad_alpha = blend_backward(grad_output, colour, owner, other, blend_weight(c))
-    grad_c = blend_weight_backward(grad_alpha, c)
-    grad_x0, grad_y0, grad_x1, grad_y1 = crossing_backward(grad_c, x[0], y[0], x[1], y[1], epsilon)
-    grad_x, grad_y = np.stack([grad_x0, grad_x1]), np.stack([grad_y0, grad_y1])
-    grad_ends = np.stack(pair_frame_backward(grad_x, grad_y, owner, other, width), -1)
-    vertex, end = np.unique(ends, return_inverse=True)
-    grad_x, grad_y = scatter(grad_ends, end.reshape(ends.shape), len(vertex)).T
-    grad_clip = np.zeros(clip.shape)
-    grad_clip[vertex] = screen_points_backward(grad_x, grad_y, clip[vertex], width, height)
-    return grad_colour, grad_clip
+    raise NotImplementedError("exercise 8.14: blend_pairs_backward")

@@ -1,9 +1,8 @@
 """What labs have complete: modules that ask nothing. They stand once, for labs and reference.
 
-`from reference import outlines` loads one from here, and so does `from labs import outlines`. What
-it imports in turn is of the package that asked: a picture of your labs is outlined by your lab 8.
+`from reference import diagnosis` loads one from here, as does `from labs import diagnosis`. What it
+imports in turn is of the package that asked: a diagnosis of your labs asks your lab 8.
 
-    outlines                 lab 8: which pairs of pixels an edge runs between
     diagnosis                lab 8: why a pixel or a vertex has no gradient
     soft_rasterizer          lab 10: SoftRas's silhouettes
     lights                   lab 14: where a shadow map's light stands

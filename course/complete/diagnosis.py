@@ -16,8 +16,15 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .antialiasing import WINDOW, blend, blend_weight
-from .outlines import blended_pairs, is_dropped, jumping_pairs, seen_silhouettes, vertices_on_screen
+from .antialiasing import blend_pairs
+from .outlines import (
+    WINDOW,
+    blended_pairs,
+    is_dropped,
+    jumping_pairs,
+    seen_silhouettes,
+    vertices_on_screen,
+)
 
 ROUNDING = 1e-9  # of a colour: more than this beyond the range is not rounding
 REASONS = ("not seen: hidden or outside", "no pair", "behind the camera", "no silhouette edge",
@@ -38,7 +45,7 @@ def pair_reasons(face_index, depth, clip, faces, opposite):
     height, width = face_index.shape
     screen = vertices_on_screen(clip, width, height)
     silhouette = seen_silhouettes(face_index, screen, faces, opposite)
-    everywhere = np.ones(len(faces) + 1, bool)
+    everywhere = np.ones(len(faces), bool)
     owner, other, c, _, x, y, face, edge = jumping_pairs(face_index, depth, screen, faces,
                                                          everywhere)
     failed = {NO_SILHOUETTE: ~silhouette[face].any(1),
@@ -83,14 +90,13 @@ def overblended(colour, face_index, depth, clip, faces, opposite):
     they can go too far. True where a channel of `antialias` lies outside of all colours that were
     blended there.
     """
-    owner, other, c, *_ = blended_pairs(face_index, depth, clip, faces, opposite)
-    alpha = blend_weight(c)
-    changed = np.where(alpha > 0, owner, other)
-    source = np.where(alpha > 0, other, owner)
+    pairs = blended_pairs(face_index, depth, clip, faces, opposite)
+    changed = np.where(pairs.c < 0.5, pairs.owner, pairs.other)
+    source = np.where(pairs.c < 0.5, pairs.other, pairs.owner)
     pixels = np.reshape(colour, (-1, colour.shape[-1]))
     low, high = pixels.astype(float), pixels.astype(float)
     np.minimum.at(low, changed, pixels[source])
     np.maximum.at(high, changed, pixels[source])
-    output = blend(colour, owner, other, alpha).reshape(pixels.shape)
+    output = blend_pairs(colour, pairs).reshape(pixels.shape)
     beyond = (output < low - ROUNDING) | (output > high + ROUNDING)
     return beyond.any(1).reshape(face_index.shape)

@@ -14,7 +14,7 @@ import numpy as np
 
 from course.given.compiled import kernel
 
-from .antialiasing import WINDOW
+from .outlines import WINDOW
 from .rasterization import CAMERA_PLANE
 
 KNOWN = np.uint8(8)  # a face's silhouette has been found: bits 0 to 2 are its edges
@@ -47,10 +47,9 @@ def point(points, v):
 
 @kernel
 def is_clockwise(a, b, c):
-    """`edge_function` of a and the edge from b to c, its roundings too; mirrored where w < 0."""
-    from_y = b.y if b.x <= c.x else c.y
-    e = (b.y - c.y) * (a.x - min(b.x, c.x)) + (c.x - b.x) * (a.y - from_y)
-    return e * (np.sign(a.w) * np.sign(b.w) * np.sign(c.w)) < 0
+    """Is the triangle clockwise, seen from the camera? w < 0 mirrors a corner."""
+    area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)
+    return area * (np.sign(a.w) * np.sign(b.w) * np.sign(c.w)) < 0
 
 
 @kernel

@@ -15,12 +15,12 @@ from labkit import places
 from ..given.whose import Labs, Lacking, exercises_named
 from . import own
 
-SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_vertices", "fit_triangle",
+SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_vertices", "borders", "fit_triangle",
           "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "rounded",
           "simplified", "relaxation", "large_steps", "shadow", "still_life", "representations",
           "fit_volume", "reconstruct", "paint_and_light")  # in the order of the labs
-FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "rounded": "levels",
-         "simplified": "levels"}  # others have their name
+FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
+         "rounded": "levels", "simplified": "levels"}  # others have their name
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
         "still_life", "fit_volume", "reconstruct", "paint_and_light")
 TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.photo,

@@ -13,12 +13,24 @@ PIXELS = [29, 28, 10, 18, 28, 36]  # left and lower edges, the first of equally 
 def ties(labs):
     """Squares with corners on pixels' centres: each centre belongs to one face (lab 2)."""
     corners, faces = squares()
-    clip = np.column_stack([corners / [WIDTH / 2, HEIGHT / 2, 1] - [1, 1, 0], np.ones(12)])
-    face_index, _ = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
+    face_index, _ = labs.rasterization.rasterize(on_screen(corners), faces, WIDTH, HEIGHT)
     counts = np.bincount(face_index[face_index >= 0], minlength=6).tolist()
     yield (f"each face has its pixels: {counts}",
            save("ties", "face_index", enlarged(plot.face_colours(face_index), 16)),
            (f"{PIXELS}", counts == PIXELS))
+
+
+def borders(labs):
+    """The squares a little moved: blended at open borders, and not along diagonals (lab 8)."""
+    corners, faces = squares()
+    clip = on_screen(corners + [0.3, 0.2, 0])
+    face_index, depth = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
+    shades = np.array([1.0, 0.8, 0.4, 0.5, 0.7, 0.6, 0.0])[face_index][..., None]
+    picture = labs.outlines.antialias(shades, face_index, depth, clip, faces,
+                                      labs.antialiasing.opposite_vertices(faces))[..., 0]
+    yield ("borders are blended, diagonals are not",
+           save("borders", "blended", enlarged(picture, 16)),
+           ("0.16 and 0.8 at the left", np.allclose(picture[5, 1:3], [0.16, 0.8])))
 
 
 def cut(labs):
@@ -30,6 +42,11 @@ def cut(labs):
            save("cut", "face_index", enlarged(plot.face_colours(face_index), 4)))
     yield ("depth", save("cut", "depth", enlarged(plot.depth_colours(depth), 4)),
            ("from -1 to 1", (np.abs(depth[face_index >= 0]) <= 1).all()))
+
+
+def on_screen(corners):
+    """corners (V, 3) in pixels and depth -> clip (V, 4)."""
+    return np.insert(corners / [WIDTH / 2, HEIGHT / 2, 1] - [1, 1, 0], 3, 1, axis=1)
 
 
 def squares():

@@ -341,7 +341,7 @@ MISLED = [
         return np.where(index < 0, -1, len(faces) - 1 - index), depth""", "no z-buffer"),
     ("vertex_gradients", "inverse_differential", "return -inputs[1] @ np.linalg.inv(inputs[0])",
      "is there once"),
-    ("antialiasing", "blend", "return np.float64(np.float32(right(*inputs)))",
+    ("antialiasing", "blend_pairs", "return np.float64(np.float32(right(*inputs)))",
      "wrong one of the two"),
     ("simplification", "satisfies_link_condition", "return not right(*inputs)",
      "every edge may be collapsed"),

@@ -249,7 +249,7 @@ def test_every_lab_has_something_to_write():
 
 
 @pytest.mark.parametrize(("name", "function", "home"), [
-    ("outlines", "blend_pairs", "antialiasing"),
+    ("diagnosis", "blend_pairs", "antialiasing"),
     ("texel_kernels", "blend_levels_backward", "mipmapping")])
 def test_what_stands_once_asks_the_package_that_imports_it(name, function, home):
     """A student's picture is outlined by the reference; or the reference by a student's lab."""

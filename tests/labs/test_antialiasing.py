@@ -1,13 +1,14 @@
 """What the exercises of lab 8 must do."""
 import itertools
 
+import edges_in_space
 import numpy as np
 import pytest
+from edges_in_space import EDGES
 
 from course.given import mesh
 from labkit.checks import assert_close, assert_equal, exercise
 
-EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 FOURTH = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)  # the vertex across each of its edges
 
@@ -253,62 +254,7 @@ def test_w_moves_no_point_on_screen(impl):
         assert_equal(silhouettes(impl, x, y, np.array(w), faces, opposite), expected)
 
 
-# --- pairs -------------------------------------------------------------------------------------
-
-NO_PAIRS = np.zeros(0, int), np.zeros(0, int)
-
-
-def everywhere(shape):
-    return np.ones(shape, bool)
-
-
-@exercise("8.3")
-def test_pairs_of_six_pixels(impl):
-    """Pairs with the background (-1, no face) are left out, pairs that see one face are not, or
-    pixels above each other are. Rows and columns are swapped, or the order is another one."""
-    face_index = np.array([[-1, 3, 3], [-1, -1, 3]])
-    assert_equal(impl.neighbour_pairs(face_index, everywhere((2, 3))), ([0, 4, 1], [1, 5, 4]))
-
-
-@exercise("8.3")
-def test_the_end_of_a_row_has_no_neighbour_in_the_next(impl):
-    """Pixels are compared in a row that goes through the whole picture."""
-    face_index = np.array([[0, 0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 1]])
-    assert_equal(impl.neighbour_pairs(face_index, everywhere((3, 4))), ([2, 6, 10], [3, 7, 11]))
-
-
-@exercise("8.3")
-def test_a_pair_needs_an_outlined_pixel(impl):
-    """Both must be outlined, or it is not looked at; or only one of the two is asked."""
-    face_index = np.array([[0, 1, 2, 3, 4]])
-    outlined = np.array([[True, False, False, True, True]])
-    assert_equal(impl.neighbour_pairs(face_index, outlined), ([0, 2, 3], [1, 3, 4]))
-    got = impl.neighbour_pairs(face_index.T.copy(), outlined.T.copy())
-    assert_equal(got, ([0, 2, 3], [1, 3, 4]))
-
-
-@exercise("8.3")
-def test_pictures_without_jumps_have_no_pairs(impl):
-    """An error, or pairs out of nothing, in pictures without neighbours or without jumps."""
-    for picture in np.zeros((3, 4), int), np.full((1, 1), 7), np.full((5, 1), -1):
-        assert_equal(impl.neighbour_pairs(picture, everywhere(picture.shape)), NO_PAIRS)
-
-
-@exercise("8.3")
-def test_pairs_are_those_of_a_search(impl, rng):
-    """Their order, or pictures that are not square."""
-    for height, width in (5, 8), (7, 3), (1, 9), (9, 1), (2, 2):
-        face_index = rng.integers(-1, 3, (height, width))
-        outlined = rng.uniform(size=(height, width)) < 0.4
-        pairs = []
-        for dy, dx in (0, 1), (1, 0):
-            for i, j in np.ndindex(height - dy, width - dx):
-                near, far = (i, j), (i + dy, j + dx)
-                if face_index[near] != face_index[far] and (outlined[near] or outlined[far]):
-                    pairs.append((i * width + j, (i + dy) * width + j + dx))
-        expected = np.array(pairs, int).reshape(-1, 2).T
-        assert_equal(impl.neighbour_pairs(face_index, outlined), tuple(expected))
-
+# --- the frame of a pair -------------------------------------------------------------------------
 
 FRAME = np.array([27, 27, 27, 27]), np.array([28, 26, 37, 17])  # row 2, column 7 of a width of 10
 COLUMN = np.array([2, 2]), np.array([3, 1])  # of a width of 1
@@ -352,35 +298,6 @@ def test_many_points_for_each_pair(impl, rng):
         right, up = points[0, :, n] - owner[n] % 6 - 0.5, points[1, :, n] - owner[n] // 6 - 0.5
         along, across = (dx[n] * right, up) if dx[n] else (dy[n] * up, right)
         assert_close((x[:, n], y[:, n]), (along, across))
-
-
-@exercise("8.6")
-def test_gradients_turn_back_with_the_frame(impl):
-    """The sign is lost, or for pixels above each other it goes to the wrong one of x and y, as with
-    the forward formula in place of its transpose. Or x and y are not swapped back."""
-    grad_x, grad_y = np.full((1, 4), 3.0), np.full((1, 4), 5.0)
-    got = impl.pair_frame_backward(grad_x, grad_y, *FRAME, 10)
-    assert_close(got, ([[3.0, -3.0, 5.0, 5.0]], [[5.0, 5.0, 3.0, -3.0]]))
-
-
-@exercise("8.6")
-def test_the_frames_gradients_are_central_differences(impl, rng, gradcheck):
-    """Gradients of one point go to another one, or are summed over the points."""
-    def forward(screen_x, screen_y):
-        x, y = screen_x - 7.5, screen_y - 2.5
-        return (np.stack([x[:, 0], -x[:, 1], y[:, 2], -y[:, 3]], 1),
-                np.stack([y[:, 0], y[:, 1], x[:, 2], x[:, 3]], 1))
-
-    gradcheck(forward,
-              lambda grad_x, grad_y, *_: impl.pair_frame_backward(grad_x, grad_y, *FRAME, 10),
-              tuple(rng.normal(size=(2, 3, 4))), name="pair_frame")
-
-
-@exercise("8.6")
-def test_in_a_picture_of_one_column_gradients_are_swapped_too(impl):
-    """A difference of 1 is taken for a neighbour in the row."""
-    got = impl.pair_frame_backward(np.full((1, 2), 3.0), np.full((1, 2), 5.0), *COLUMN, 1)
-    assert_close(got, ([[5.0, 5.0]], [[3.0, -3.0]]))
 
 
 # --- the crossing ------------------------------------------------------------------------------
@@ -559,26 +476,18 @@ def test_an_edge_that_crosses_at_infinity_does_not_count(impl):
     assert_crossed(impl, column((0.0, -1.0), (2.0, -1.0), (1.0, -0.5)), [0], [0.0], w)
 
 
-def by_search(count, crossing):
-    """The last edges of count faces, and where: crossing(i, j, n) of edge i j, or -inf."""
-    places = np.array([[crossing(i, j, n) for i, j in EDGES] for n in range(count)])
-    return places.argmax(1), places.max(1)
+def assert_searched(impl, corners, **tolerance):
+    """corners (3, 3, F): of each corner w (x, y, 1)."""
+    x, y, w = corners.swapaxes(0, 1)
+    edge, c = zip(*map(edges_in_space.last_crossing, np.moveaxis(corners, -1, 0)), strict=True)
+    assert_crossed(impl, (x / w, y / w), edge, np.array(c), w, **tolerance)
 
 
 @exercise("8.9", fine_print=True)
 def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
     """w is ignored: an end behind the camera is mirrored, so the part of the edge on screen lies
     elsewhere. Or crossings behind the camera count."""
-    q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face
-
-    def in_front(i, j, n):
-        a, b = q[i, :, n], q[j, :, n]
-        t = a[1] / (a[1] - b[1])
-        at_x, _, at_w = (1 - t) * a + t * b
-        return at_x / at_w if (a[1] < 0) != (b[1] < 0) and at_w > 0 else -np.inf
-
-    assert_crossed(impl, (q[:, 0] / q[:, 2], q[:, 1] / q[:, 2]), *by_search(200, in_front),
-                   q[:, 2], rtol=1e-6, atol=1e-6)
+    assert_searched(impl, rng.normal(size=(3, 3, 200)), rtol=1e-6, atol=1e-6)
 
 
 @exercise("8.9")
@@ -587,107 +496,45 @@ def test_last_crossings_are_those_of_a_search(impl, rng):
     x, y = 3 * rng.normal(size=(2, 3, 60))
     y[:, ::3] = np.round(y[:, ::3]) + 0.5  # some edges along the line, none on it
     y[2] = -np.sign(y[0]) * np.abs(y[2])   # and each face is crossed
-
-    def across(i, j, n):
-        crosses = (y[i, n] < 0) != (y[j, n] < 0)
-        return crossing_of_lines(*(v[k, n] for k in (i, j) for v in (x, y))) if crosses else -np.inf
-
-    assert_crossed(impl, (x, y), *by_search(60, across))
+    assert_searched(impl, np.stack([x, y, np.ones((3, 60))], 1))
 
 
 # --- the blend ---------------------------------------------------------------------------------
-
-def is_blended(impl, c, x1=0.0, y1=1.0, is_silhouette=True):
-    """impl.is_blended of edges from (0, -1) to (x1, y1); what is one number goes for all."""
-    c, x1, y1, is_silhouette = np.broadcast_arrays(*np.atleast_1d(c, x1, y1, is_silhouette))
-    ends = np.zeros(len(c)), np.full(len(c), -1.0), x1.astype(float), y1.astype(float)
-    return impl.is_blended(c.astype(float), is_silhouette.copy(), *(end.copy() for end in ends))
-
-
-@exercise("8.10")
-def test_only_silhouettes_between_the_centres_blend(impl):
-    """Inner edges blend, which are no silhouette, or edges beyond the pair. Or the WINDOW makes the
-    range of c smaller and not larger."""
-    assert_equal(is_blended(impl, [0.0, 0.5, 1.0]), [True, True, True])
-    assert_equal(is_blended(impl, [0.5, 0.5], is_silhouette=[True, False]), [True, False])
-    assert_equal(is_blended(impl, [-0.2, 1.2, -np.inf, 40.0]), np.zeros(4, bool))
-
-
-@exercise("8.10")
-def test_the_window_is_open(impl):
-    """>= for >. The WINDOW of 1/16 is left out, or another one, or on one side only."""
-    c = [-1 / 16, 1 + 1 / 16, -0.0624, 1.0624, -0.0626, 1.0626]
-    assert_equal(is_blended(impl, c), [False, False, True, True, False, False])
-    c = [-1 / 16 + 1e-12, 1 + 1 / 16 - 1e-12]
-    assert_equal(is_blended(impl, c), [True, True])
-
-
-@exercise("8.10")
-def test_an_edge_at_45_degrees_is_steep(impl):
-    """> for >=, the two lengths are swapped, or none is looked at. Without abs, an edge that falls
-    or leans to the left is judged by its sign."""
-    x1 = [2.0, -2.0, 2 + 1e-9, -2 - 1e-9, 2 - 1e-9, 0.0, 9.0]
-    expected = [True, True, False, False, True, True, False]
-    assert_equal(is_blended(impl, np.full(7, 0.5), x1), expected)
-    c, x0, y0 = np.full(3, 0.5), np.full(3, 4.0), np.full(3, 1.0)  # downwards, x0 not at 0
-    got = impl.is_blended(c, c > 0, x0, y0, np.array([5.0, 6.5, 1.5]), np.full(3, -1.0))
-    assert_equal(got, [True, False, False])
-
-
-@exercise("8.10")
-def test_blends_are_those_of_a_search(impl, rng):
-    """One of the three conditions is left out, or an end of the edge is taken for the other."""
-    c, (x0, y0, x1, y1) = rng.uniform(-0.3, 1.3, 80), rng.normal(size=(4, 80))
-    is_silhouette = rng.random(80) < 0.8
-    expected = [is_silhouette[n] and abs(c[n] - 0.5) < 0.5 + 1 / 16
-                and abs(x1[n] - x0[n]) <= abs(y1[n] - y0[n]) for n in range(80)]
-    assert_equal(impl.is_blended(c, is_silhouette, x0, y0, x1, y1), np.array(expected))
-
-
-@exercise("8.11")
-def test_weights_on_paper(impl):
-    """The sign is flipped, c - 1/2: with the edge at the owner, half is the other's. The constant
-    is not 1/2, as in 1 - c. Or alpha is never negative, as by an absolute value or a clip."""
-    c = np.array([0.0, 0.125, 0.5, 0.75, 1.0])
-    assert_close(impl.blend_weight(c), [0.5, 0.375, 0.0, -0.25, -0.5])
-
-
-@exercise("8.11")
-def test_pixel_and_edge_part_at_the_weight(impl, rng):
-    """Right for a few crossings alone."""
-    c = rng.uniform(0, 1, 9)
-    owner, other = 1 - impl.blend_weight(c), 1 + impl.blend_weight(c)  # shares of own colours
-    assert_close((owner - other) / 2, c - 0.5)
-
-
-@exercise("8.11", fine_print=True)
-def test_a_weight_is_at_most_a_half(impl):
-    """c is not clipped: a pixel gives away more than half of its colour."""
-    c = np.array([-0.06, 0.0, 0.5, 1.0, 1.05])
-    assert_close(impl.blend_weight(c), [0.5, 0.5, 0.0, -0.5, -0.5])
-
 
 def colours():
     """(2, 3, 2), new for each call: a function that writes into it spoils no other check."""
     return np.array([[[0.0, 8.0], [1.0, 0.0], [4.0, 2.0]], [[2.0, 2.0], [6.0, 4.0], [0.0, 0.0]]])
 
 
+def pairs_at(impl, owner, other, c):
+    """Pairs of which the blend has all that it needs."""
+    ends, rest = np.zeros((2, len(owner)), int), np.zeros((2, len(owner)))
+    return impl.Pairs(np.array(owner, int), np.array(other, int), np.array(c, float), ends, rest,
+                      rest, *ends)
+
+
 def assert_changes(impl, pairs, changes, **tolerance):
-    """impl.blend of pairs (owner, other, alpha) gives these pixels new colours, and no others."""
+    """impl.blend_pairs of owner, other, c gives these pixels new colours, and no others."""
     expected = colours()
     for pixel, colour in changes.items():
         expected[pixel] = colour
-    assert_close(impl.blend(colours(), *map(np.array, pairs)), expected, **tolerance)
+    assert_close(impl.blend_pairs(colours(), pairs_at(impl, *pairs)), expected, **tolerance)
 
 
 @exercise("8.13")
-def test_either_pixel_moves_towards_the_other(impl):
-    """Only the owner moves, even where alpha < 0 and the other one should. The wrong one of the two
-    moves, or away from the other, as by owner - other where alpha < 0. Both move. The change
-    replaces the colour, to which it must be added."""
-    # 1/4 of the way from (0, 8) to (1, 0), and half of the way from (0, 0) to (6, 4)
-    changes = {(0, 0): (0.25, 6.0), (1, 2): (3.0, 2.0)}
-    assert_changes(impl, ([0, 4], [1, 5], [0.25, -0.5]), changes)
+def test_the_owner_moves_towards_the_other(impl):
+    """c is taken for alpha, or c - 1/2 or 1 - c: it is 1/2 - c. The owner moves away from the
+    other, or the wrong one of the two moves, or both do. The change replaces the colour, to which
+    it must be added."""
+    # 1/4 of the way from (0, 8) to (1, 0), and half of the way from (4, 2) to (0, 0)
+    assert_changes(impl, ([0, 2], [1, 5], [0.25, 0.0]), {(0, 0): (0.25, 6.0), (0, 2): (2.0, 1.0)})
+
+
+@exercise("8.13")
+def test_where_alpha_is_negative_the_other_moves_towards_the_owner(impl):
+    """Only the owner moves. The other moves away from the owner: the sign of alpha is lost."""
+    # half of the way from (0, 0) to (6, 4), and 1/4 of the way from (1, 0) to (0, 8)
+    assert_changes(impl, ([4, 0], [5, 1], [1.0, 0.75]), {(1, 2): (3.0, 2.0), (0, 1): (0.75, 2.0)})
 
 
 @exercise("8.13")
@@ -695,14 +542,14 @@ def test_pairs_may_point_to_any_side(impl):
     """The owner is taken for the left or lower pixel."""
     # half of the way from (4, 2) to (1, 0), and 1/4 of the way from (0, 8) to (2, 2)
     changes = {(0, 2): (2.5, 1.0), (0, 0): (0.5, 6.5)}
-    assert_changes(impl, ([2, 3], [1, 0], [0.5, -0.25]), changes)
+    assert_changes(impl, ([2, 3], [1, 0], [0.0, 0.75]), changes)
 
 
 @exercise("8.13")
 def test_changes_of_one_pixel_add_up(impl):
     """A pixel in several pairs keeps one change alone, as += does, where np.add.at adds them all.
     Or a pair reads what another one has written."""
-    pairs = [4, 4, 4, 1], [1, 3, 5, 4], [0.5, 0.25, 0.125, -0.125]
+    pairs = [4, 4, 4, 1], [1, 3, 5, 4], [0.0, 0.25, 0.375, 0.625]
     assert_changes(impl, pairs, {(1, 1): (6 + 0.5 * -5 + 0.25 * -4 + 0.125 * -6 - 0.125 * 5,
                                           4 + 0.5 * -4 + 0.25 * -2 + 0.125 * -4 - 0.125 * 4)})
 
@@ -710,30 +557,31 @@ def test_changes_of_one_pixel_add_up(impl):
 @exercise("8.13")
 def test_without_weight_or_pairs_nothing_changes(impl):
     """An error without pairs, or alpha = 0 is taken for 1/2."""
-    assert_close(impl.blend(colours(), *NO_PAIRS, np.zeros(0)), colours())
-    assert_close(impl.blend(colours(), np.array([1]), np.array([4]), np.zeros(1)), colours())
+    assert_changes(impl, ([], [], []), {})
+    assert_changes(impl, ([1], [4], [0.5]), {})
 
 
 @exercise("8.13")
 def test_the_sign_of_the_smallest_weight_decides(impl):
     """A threshold: a weight of little less than 0 changes the owner."""
-    assert_changes(impl, ([0], [1], [-1e-8]), {(0, 1): (1 + 1e-8 * -1, 1e-8 * 8)}, rtol=0)
+    alpha = 2.0**-27  # c has it to the last bit
+    assert_changes(impl, ([0], [1], [0.5 + alpha]), {(0, 1): (1 - alpha, 8 * alpha)}, rtol=0)
 
 
 def many_pairs(rng, count=40, height=4, width=5):
-    """owner, other (N,) of neighbours, alpha (N,) of both signs, each pixel in several pairs."""
+    """owner, other, c (N,) of neighbours, each pixel in several pairs."""
     owner = rng.integers(0, height * width, count)
     step = rng.choice([1, -1, width, -width], count)
-    return owner, (owner + step) % (height * width), rng.uniform(-0.5, 0.5, count)
+    return owner, (owner + step) % (height * width), rng.uniform(0, 1, count)
 
 
-def blended(colour, owner, other, alpha):
-    """Eq. (5), pair by pair."""
+def blended(colour, owner, other, c):
+    """Eqs. (4) and (5), pair by pair."""
     output = colour.copy().reshape(-1, colour.shape[2])
     before = output.copy()
-    for p, q, a in zip(owner, other, alpha, strict=True):
-        target = p if a > 0 else q
-        output[target] += a * (before[q] - before[p])
+    for p, q, crossed in zip(owner, other, c, strict=True):
+        target = p if crossed < 0.5 else q
+        output[target] += (0.5 - min(max(crossed, 0), 1)) * (before[q] - before[p])
     return output.reshape(colour.shape)
 
 
@@ -743,66 +591,166 @@ def test_a_blend_is_the_sum_over_its_pairs(impl, rng):
     for channels in 1, 3:
         pairs = many_pairs(rng)
         colour = rng.normal(size=(4, 5, channels))
-        assert_close(impl.blend(colour, *pairs), blended(colour, *pairs))
+        assert_close(impl.blend_pairs(colour, pairs_at(impl, *pairs)), blended(colour, *pairs))
+
+
+@exercise("8.13", fine_print=True)
+def test_a_pixel_gives_away_at_most_half_of_its_colour(impl):
+    """c is not clipped: outside of [0, 1] it counts as 0 or 1."""
+    changes = {(0, 0): (0.5, 4.0), (1, 2): (3.0, 2.0)}
+    assert_changes(impl, ([0, 4], [1, 5], [-0.06, 1.05]), changes)
 
 
 @exercise("8.13", fine_print=True)
 def test_colours_of_integers_are_blended_like_others(impl):
     """The output takes the colours' type, and what is added is cut to whole numbers."""
-    colour = np.array([[[0], [1]]])
-    output = impl.blend(colour, np.array([0]), np.array([1]), np.array([0.25]))
+    output = impl.blend_pairs(np.array([[[0], [1]]]), pairs_at(impl, [0], [1], [0.25]))
     assert_close(output, [[[0.25], [1.0]]])
 
 
+def colours_backward(impl, grad_output, colour, owner, other, c):
+    """grad_colour of impl.blend_pairs_backward, for pairs without edges."""
+    count = len(owner)
+    pairs = pairs_at(impl, owner, other, c)._replace(y=np.repeat([[-1.0], [1.0]], count, 1))
+    return impl.blend_pairs_backward(grad_output, colour, pairs, np.ones((3, 4)))[0]
+
+
 @exercise("8.14")
-def test_the_gradients_of_four_pairs_on_paper(impl):
+def test_the_gradients_of_colours_on_paper(impl):
     """grad_colour: the share of the other pixel is left out, a sign is wrong, or the pixel's own
     gradient is lost. The owner's gradient is always used, even where alpha < 0 and the other pixel
-    changes, or that of the pixel that stays. grad_alpha: the channels are not summed."""
+    changes, or that of the pixel that stays."""
     colour = np.array([[[0.0, 8.0], [1.0, 0.0], [4.0, 2.0], [2.0, 3.0]],
                        [[2.0, 2.0], [6.0, 4.0], [0.0, 1.0], [5.0, 3.0]]])
     grad_output = np.array([[[1.0, 2.0], [100.0, 200.0], [8.0, 4.0], [3.0, 5.0]],
                             [[40.0, 20.0], [12.0, 16.0], [5.0, 9.0], [16.0, 24.0]]])
-    owner, other = np.array([0, 3, 4, 7]), np.array([1, 2, 5, 6])
-    alpha = np.array([0.25, -0.5, -0.25, 0.125])  # 0, 2, 5 and 7 change
-    expected = ([[[0.75, 1.5], [100.25, 200.5], [4.0, 2.0], [7.0, 7.0]],
-                 [[43.0, 24.0], [9.0, 12.0], [7.0, 12.0], [14.0, 21.0]]],
-                # grad of what changes times (other - owner): (1, 2) . (1, -8), ...
-                [-15.0, 12.0, 80.0, -128.0])
-    assert_close(impl.blend_backward(grad_output, colour, owner, other, alpha), expected)
-
-
-FIRST_PAIR = np.array([0]), np.array([1])
-TWO_GRADS = np.array([[[1.0, 2.0], [100.0, 200.0], [0.0, 0.0]], np.zeros((3, 2))])
+    c = 0.25, 1.0, 0.75, 0.375  # 0, 2, 5 and 7 change
+    expected = [[[0.75, 1.5], [100.25, 200.5], [4.0, 2.0], [7.0, 7.0]],
+                [[43.0, 24.0], [9.0, 12.0], [7.0, 12.0], [14.0, 21.0]]]
+    got = colours_backward(impl, grad_output, colour, [0, 3, 4, 7], [1, 2, 5, 6], c)
+    assert_close(got, expected)
 
 
 @exercise("8.14")
-def test_the_sign_of_the_smallest_weight_decides_on_the_way_back(impl):
-    """A threshold: a weight of little less than 0 has the gradient of the owner's change."""
-    for alpha, grad_alpha in (1e-9, -15.0), (-1e-9, -1500.0):
-        _, got = impl.blend_backward(TWO_GRADS, colours(), *FIRST_PAIR, np.array([alpha]))
-        assert_close(got, [grad_alpha])
+def test_a_pixel_in_several_pairs_gets_the_gradients_of_all(impl, rng, gradcheck):
+    """A pixel in several pairs gets the gradient of one of them, as += does, where np.add.at adds
+    them all. A pair reads what another one has changed."""
+    pairs = many_pairs(rng)
+    gradcheck(lambda colour: blended(colour, *pairs),
+              lambda grad, colour: colours_backward(impl, grad, colour, *pairs),
+              (rng.normal(size=(4, 5, 3)),), name="blend_pairs")
+
+
+EDGE = (0.0, -1.0), (1.0, 3.0)       # x, y of both ends in a pair's frame: c = 0.25
+BY_ENDS = (0.75, -0.1875), (0.25, -0.0625)  # dc/dx, dc/dy of each
+FOUR = np.array([0, 1, 3, 2]), np.array([1, 3, 2, 0])  # right, up, left and down in 2 x 2 pixels
+
+
+def ends_backward(impl, colour, grad_output, n, edge=EDGE, **options):
+    """grad_x, grad_y on screen of each end of an edge (2, 2), which pair n of FOUR blends."""
+    (x0, y0), (x1, y1) = edge
+    c = np.array([(x0 * y1 - x1 * y0) / (y1 - y0)])
+    x, y, ends = np.array([[x0], [x1]]), np.array([[y0], [y1]]), np.array([[2], [0]])
+    pairs = impl.Pairs(*(pixel[n:n + 1] for pixel in FOUR), c, ends, x, y, *np.zeros((2, 1), int))
+    owner_x, owner_y = FOUR[0][n] % 2 + 0.5, FOUR[0][n] // 2 + 0.5
+    dx, dy = ((1, 0), (0, 1), (-1, 0), (0, -1))[n]
+    clip = np.ones((3, 4))  # in 2 x 2 pixels and with w = 1, clip space is the screen, moved by 1
+    clip[[2, 0], 0] = owner_x + (dx * x + abs(dy) * y)[:, 0] - 1
+    clip[[2, 0], 1] = owner_y + (dy * x + abs(dx) * y)[:, 0] - 1
+    _, grad_clip = impl.blend_pairs_backward(np.array(grad_output, float).reshape(2, 2, -1),
+                                             np.array(colour, float).reshape(2, 2, -1), pairs,
+                                             clip, **options)
+    assert_close(grad_clip[1], np.zeros(4))
+    return grad_clip[[2, 0], :2]
+
+
+@exercise("8.14")
+def test_the_gradients_of_an_edge_s_ends_on_paper(impl):
+    """dc/dalpha = -1 is left out. The difference of the colours has the wrong sign, or the channels
+    are not summed. The ends are swapped. The quotient rule is left out of dc/dy."""
+    colour, grad_output = [(1, 2), (3, 7), (0, 0), (0, 0)], [(8, 4), (100, 200), (0, 0), (0, 0)]
+    got = ends_backward(impl, colour, grad_output, 0)  # grad_alpha = 8 (3 - 1) + 4 (7 - 2)
+    assert_close(got, -36 * np.array(BY_ENDS))
+
+
+@exercise("8.14")
+def test_where_alpha_is_negative_the_other_pixel_pulls(impl):
+    """The owner's gradient is taken everywhere, or the sign of alpha changes that of its
+    gradient. Or there is a threshold for alpha."""
+    grads = [ends_backward(impl, [1, 3, 0, 0], [8, 100, 0, 0], 0, ((x, -1.0), (x, 3.0)))
+             for x in (0.75, 0.5 - 1e-9, 0.5 + 1e-9)]
+    assert_close(np.array(grads)[..., 0], [[-150, -50], [-12, -4], [-150, -50]])
+
+
+@exercise("8.14")
+def test_a_clamped_crossing_has_no_gradient(impl):
+    """alpha is one half, wherever the edge is, where c is not between 0 and 1."""
+    grads = [ends_backward(impl, [1, 3, 0, 0], [8, 100, 0, 0], 0, ((x, -1.0), (x, 3.0)))
+             for x in (-0.05, 0.0, 1.0, 1.05)]
+    assert_close(np.array(grads), np.zeros((4, 2, 2)))
+
+
+@exercise("8.14")
+def test_gradients_turn_back_with_the_frame(impl):
+    """The sign is lost where the other pixel lies to the left or below, or for pixels above each
+    other it goes to the wrong one of x and y. Or x and y are not swapped back."""
+    (a, b), (c, d) = -5 * np.array(BY_ENDS)  # in the frame
+    for n, expected in enumerate(([(a, b), (c, d)], [(b, a), (d, c)],
+                                  [(-a, b), (-c, d)], [(b, -a), (d, -c)])):
+        colour, grad_output = np.zeros(4), np.zeros(4)
+        colour[FOUR[1][n]], grad_output[FOUR[0][n]] = 1, 5
+        assert_close(ends_backward(impl, colour, grad_output, n), expected, given=f"pair {n}")
+
+
+@exercise("8.14")
+def test_all_gradients_are_central_differences(impl, rng, gradcheck):
+    """Width and height are swapped, or an edge's ends. A vertex keeps the gradient of one of its
+    edges. w has none."""
+    owner = np.array([7, 12, 17, 8, 7, 11, 2, 7])  # of a picture of 4 x 5
+    other = np.array([8, 13, 18, 7, 12, 6, 7, 6])
+    ends = np.array([[0, 0, 4, 4, 2, 6, 3, 1], [4, 4, 8, 0, 6, 2, 7, 5]])
+    around = np.array([[2.8, 0.4], [2.3, 0.9], [1.8, 1.9], [2.9, 1.2], [2.9, 3.1], [2.1, 2.2],
+                       [3.4, 1.8], [2.1, 1.1], [2.3, 4.2]])
+    clip = np.column_stack([2 * around / [5, 4] - 1, np.zeros(9), np.ones(9)])
+    clip *= rng.uniform(0.5, 2, (9, 1))
+
+    def edges(clip):
+        points = ((clip[:, :2] / clip[:, 3:] + 1) * [2.5, 2])[ends]
+        right, up = (np.moveaxis(points, -1, 0)
+                     - np.stack([owner % 5, owner // 5])[:, None] - 0.5)
+        dx, dy = other % 5 - owner % 5, other // 5 - owner // 5
+        x, y = dx * right + dy * up, np.where(dx == 0, right, up)
+        return x, y, crossing_of_lines(x[0], y[0], x[1], y[1])
+
+    def backward(grad, colour, clip):
+        x, y, c = edges(clip)
+        pairs = impl.Pairs(owner, other, c, ends, x, y, *np.zeros((2, 8), int))
+        return impl.blend_pairs_backward(grad, colour, pairs, clip)
+
+    gradcheck(lambda colour, clip: blended(colour, owner, other, edges(clip)[2]), backward,
+              (rng.normal(size=(4, 5, 2)), clip), name="blend_pairs",
+              decisions=lambda colour, clip: edges(clip)[2] < 0.5)
 
 
 @exercise("8.14", fine_print=True)
 def test_at_zero_the_owner__s_side_counts(impl):
     """> for >=: at alpha = 0, the kink, the other pixel's side is taken and not the owner's."""
-    got = impl.blend_backward(TWO_GRADS, colours(), *FIRST_PAIR, np.zeros(1))
-    assert_close(got, (TWO_GRADS, [-15.0]))
+    got = ends_backward(impl, [1, 3, 0, 0], [8, 100, 0, 0], 0, ((0.5, -1.0), (0.5, 3.0)))
+    assert_close(got[:, 0], [-12, -4])
 
 
-@exercise("8.14")
-def test_the_gradients_of_a_blend_are_central_differences(impl, rng, gradcheck):
-    """A pixel in several pairs gets the gradient of one of them, as += does, where np.add.at adds
-    them all. A pair reads what another one has changed. Or grad_alpha leaves out channels."""
-    pairs = many_pairs(rng)
-    gradcheck(blended, impl.blend_backward, (rng.normal(size=(4, 5, 3)), *pairs),
-              decisions=lambda colour, owner, other, alpha: alpha > 0, name="blend")
-
-
-@exercise("8.14")
-def test_without_pairs_the_gradient_passes_through(impl):
-    """An error, or a gradient of zero, where nothing is blended."""
+@exercise("8.14", fine_print=True)
+def test_a_pixel_gives_away_at_most_half_of_its_gradient(impl):
+    """c is not clipped in the weights of the colours: outside of [0, 1] it counts as 0 or 1."""
     grad_output = np.arange(12.0).reshape(2, 3, 2)
-    got = impl.blend_backward(grad_output, colours(), *NO_PAIRS, np.zeros(0))
-    assert_close(got, (grad_output, np.zeros(0)))
+    grads = [colours_backward(impl, grad_output, colours(), [0, 4], [1, 5], c)
+             for c in ((-0.06, 1.05), (0.0, 1.0))]
+    assert_close(grads[0], grads[1])
+
+
+@exercise("8.14", fine_print=True)
+def test_epsilon_reaches_the_crossing(impl):
+    """It is ignored: c = (x0 y1 - x1 y0) r, r = 1 / (h + epsilon), keeps r finite."""
+    got = ends_backward(impl, [0, 1, 0, 0], [8, 0, 0, 0], 0, ((0.25, -1.0), (0.25, 3.0)),
+                        epsilon=4.0)
+    assert_close(got, [[-3.0, 0.125], [-1.0, -0.125]])

@@ -3,6 +3,8 @@ import math
 
 import numpy as np
 
+from reference.antialiasing import Pairs, ends_backward
+
 
 def opposite_vertices(faces):
     faces = np.asarray(faces).tolist()
@@ -53,26 +55,57 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
     return (*by_first(x0, y0, x1, y1), *by_first(x1, y1, x0, y0))
 
 
-def blend(colour, owner, other, alpha):
-    shape = np.shape(colour)
-    before = np.array(colour, float).reshape(-1, shape[2])
+def pair_frame(screen_x, screen_y, owner, other, width):
+    # Along the pair, and in the direction of the picture's other axis.
+    points = np.stack([screen_x - owner % width, screen_y - owner // width], -1) - 0.5
+    along = np.stack([other % width - owner % width, other // width - owner // width], -1)
+    return (points * along).sum(-1), (points * np.abs(along[:, ::-1])).sum(-1)
+
+
+def last_crossing(x, y, w):
+    # In space, where each corner is w times (x, y, 1): column by column.
+    found = []
+    for corners in np.moveaxis([w * x, w * y, w], -1, 0):
+        best = (-np.inf, 0)
+        for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
+            p, q = corners[:, i], corners[:, j]
+            if (p[1] < 0) != (q[1] < 0):
+                at = p * q[1] - q * p[1]
+                if at[2] * (q[1] - p[1]) > 0:
+                    best = max(best, (at[0] / at[2], -k))
+        found.append((-best[1], best[0]))
+    edge, c = zip(*found, strict=True) if found else ((), ())
+    return np.array(edge, int), np.array(c, float)
+
+
+def blend_pairs(colour, pairs):
+    before = np.array(colour, float).reshape(-1, np.shape(colour)[2])
     after = before.copy()
-    for a, b, share in zip(owner, other, alpha, strict=True):
+    for a, b, c in zip(*Pairs(*pairs)[:3], strict=True):
+        share = 0.5 - min(max(c, 0), 1)
         if share > 0:
             after[a] += share * (before[b] - before[a])
         else:
             after[b] -= share * (before[a] - before[b])
-    return after.reshape(shape)
+    return after.reshape(np.shape(colour))
 
 
-def blend_backward(grad_output, colour, owner, other, alpha):
-    # The blend is a matrix times the colours: its transpose, entry by entry.
-    shape = np.shape(colour)
-    pixels, grad = (np.array(part, float).reshape(-1, shape[2]) for part in (colour, grad_output))
-    grad_colour, grad_alpha = grad.copy(), np.empty(len(alpha))
-    for n, (a, b, share) in enumerate(zip(owner, other, alpha, strict=True)):
+def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
+    # The blend is a matrix times the colours: its transpose, entry by entry. Then edge by edge.
+    height, width, channels = np.shape(colour)
+    pixels, grad = (np.array(part, float).reshape(-1, channels) for part in (colour, grad_output))
+    grad_colour, grad_clip = grad.copy(), np.zeros(np.shape(clip))
+    for n, (a, b, c) in enumerate(zip(pairs.owner, pairs.other, pairs.c, strict=True)):
+        share = 0.5 - min(max(c, 0), 1)
         to, source = (a, b) if share >= 0 else (b, a)
         grad_colour[source] += abs(share) * grad[to]
         grad_colour[to] -= abs(share) * grad[to]
-        grad_alpha[n] = (1 if share >= 0 else -1) * grad[to] @ (pixels[source] - pixels[to])
-    return grad_colour.reshape(shape), grad_alpha
+        pull = (-1 if share >= 0 else 1) * grad[to] @ (pixels[source] - pixels[to])
+        if 0 < c < 1:
+            x, y = pairs.x[:, n], pairs.y[:, n]
+            by_ends = np.reshape(crossing_backward(pull, x[0], y[0], x[1], y[1], epsilon), (2, 2))
+            across, sign = abs(a - b) == width and a % width == b % width, np.sign(b - a)
+            on_screen = (by_ends * [sign, 1])[:, ::-1 if across else 1]
+            grad_clip += ends_backward(*on_screen.T[..., None], pairs.ends[:, n:n + 1], clip,
+                                       width, height)
+    return grad_colour.reshape(np.shape(colour)), grad_clip

@@ -208,19 +208,22 @@ def test_antialias(agrees):
     agrees("antialias", "crossing", c, *ends)
     agrees("antialias", "crossingBackward",
            np.transpose(antialiasing.crossing_backward(np.full(200, 1.7), *ends)), 1.7, *ends)
-    agrees("antialias", "isBlended", antialiasing.is_blended(c, np.full(200, True), *ends),
-           c, *ends)
+    is_steep = np.abs(ends[3] - ends[1]) >= np.abs(ends[2] - ends[0])
+    agrees("antialias", "isBlended",
+           is_steep & (c > -outlines.WINDOW) & (c < 1 + outlines.WINDOW), c, *ends)
     c = np.concatenate([c, [0, 0.5, 1, -0.05, 1.05]])
-    alpha, grad = antialiasing.blend_weight(c), np.array([[[5.0], [7.0]]])
+    alpha = 0.5 - np.clip(c, 0, 1)
     agrees("antialias", "blendWeight", alpha, c)
-    agrees("antialias", "blendWeightBackward",
-           antialiasing.blend_weight_backward(np.full(len(c), 3.0), c), 3.0, c)
-    pair, two = np.array([[[0.3], [0.8]]]), (np.array([0]), np.array([1]))
-    agrees("antialias", "blend",
-           [antialiasing.blend(pair, *two, np.array([a])).ravel() for a in alpha], 0.3, 0.8, alpha)
-    wanted = [antialiasing.blend_backward(grad, pair, *two, np.array([a])) for a in alpha]
-    agrees("antialias", "blendBackward", [[*colour.ravel(), *by_alpha] for colour, by_alpha
-                                          in wanted], [[5, 7]] * len(c), 0.3, 0.8, alpha)
+    agrees("antialias", "blendWeightBackward", np.where((0 < c) & (c < 1), -3.0, 0), 3.0, c)
+    pair, grad = np.array([[[0.3], [0.8]]]), np.array([[[5.0], [7.0]]])
+    edge = [[0], [1]], [[0.0], [0.0]], [[-1.0], [1.0]]
+    pairs = [antialiasing.Pairs(*np.array([[0], [1]]), np.array([one]), *map(np.array, edge), 0, 0)
+             for one in c]
+    agrees("antialias", "blend", [antialiasing.blend_pairs(pair, one).ravel() for one in pairs],
+           0.3, 0.8, alpha)
+    wanted = [[*antialiasing.blend_pairs_backward(grad, pair, one, np.ones((2, 4)))[0].ravel(),
+               (5.0 if one.c <= 0.5 else 7.0) * (0.8 - 0.3)] for one in pairs]
+    agrees("antialias", "blendBackward", wanted, [[5, 7]] * len(c), 0.3, 0.8, alpha)
 
 
 def test_the_landscape_has_the_blends_slopes_or_none(call):
