@@ -1,6 +1,7 @@
 """What a run of all tests does first and says at its end, and commands that run in this process."""
 import contextlib
 import io
+import signal
 import subprocess
 import sys
 from collections import Counter
@@ -14,6 +15,8 @@ from labkit import places
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
 collect_ignore = WORKERS if sys.platform == "win32" else []  # there, nothing can be graded
+# What a script starts with & ignores Ctrl-C, and all that it starts: tests of Ctrl-C wait for ever.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 LONGEST = {"test_examine.py", "test_mistakes.py", "test_handout.py", "test_hostile.py"}
 
 

@@ -18,7 +18,7 @@ import pytest
 from small_course import LAB, first_lab, grade_command, grades, hand_in
 from submitted import put, zipped
 
-from labkit.grading.apart import levels, sandbox
+from labkit.grading.apart import sandbox
 
 HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.
@@ -42,7 +42,8 @@ STRICT_ONLY = {"keyring", "shared_memory", "sockets", "file_locks", "many_files"
 # At the level `process`, where `strict` is graded, too: enough to see that the levels agree.
 BOTH = {"honest", "one_mistake", "exits_hard", "endless_loop_in_c", "closes_descriptors",
         "forged_frames", "changes_its_input", "breaks_numpy"}
-SHARES = {"strict": 7, "process": 1}  # so that no run takes long
+# What `strict` grades, so that no run takes long. In the first are the archives and folders alone.
+SHARES = [[], *(sorted(POINTS)[share::7] for share in range(7))]
 # The worker's own channel to the grader, which attacks find among all objects.
 CHANNEL = """next(found for found in __import__("gc").get_objects()
                    if type(found).__name__ == "Channel")"""
@@ -104,7 +105,7 @@ def sleeping(seconds):
 
 
 @pytest.mark.parametrize(("isolation", "share"), [
-    (level, share) for level in levels.LEVELS for share in range(SHARES[level])])
+    *(("strict", share) for share in range(len(SHARES))), ("process", 0)])
 def test_every_submission_gets_what_its_honest_part_deserves(isolation, share, house, run_module,
                                                              tmp_path, monkeypatch):
     """A mark that was stolen, a mark that was lost, a grader that hangs or dies."""
@@ -112,7 +113,7 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, share, h
     if isolation == "strict" != strict:
         assert not (os.environ.get("CI") and sys.platform == "linux"), about
         pytest.skip(about)
-    names = sorted(POINTS)[share::SHARES[isolation]] if isolation == "strict" else \
+    names = SHARES[share] if isolation == "strict" else \
         BOTH if strict == "strict" else set(POINTS) - STRICT_ONLY
     root = house(first_lab())
     outside, handed_in = tmp_path / "elsewhere", tmp_path / "in"

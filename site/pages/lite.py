@@ -19,9 +19,9 @@ from . import put
 CONTENTS = (
     "notebooks/*.ipynb", "notebooks/errata.md", "notebooks/openings/*.png", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
-    "course/complete/*.py", "course/fast/*.py",
-    "course/scenes/*.py", "labkit/checks/*.*", "labkit/upkeep/__init__.py",
-    "labkit/upkeep/extras.py", "conftest.py",
+    "course/complete/*.py", "course/fast/*.py", "course/scenes/*.py",
+    "labkit/*.py", "labkit/checks/*.*", "labkit/upkeep/__init__.py", "labkit/upkeep/extras.py",
+    "labs.toml", "conftest.py",
     "tests/labs/*.*", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.

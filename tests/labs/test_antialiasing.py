@@ -460,10 +460,10 @@ def test_of_equal_crossings_the_first_edge_is_taken(impl):
 
 @exercise("8.9", fine_print=True)
 def test_edges_along_the_line_are_not_divided_by(impl):
-    """A division by zero, which gives NaN."""
+    """A division by zero, which gives NaN, or takes -0 for less than 0."""
     corners = np.stack([column((0.0, 1.0), (1.0, 1.0), (0.5, 1.0)),
                         column((0.0, 0.0), (1.0, 0.0), (0.5, -1.0)),
-                        column((0.25, 0.0), (-1.0, 0.5), (-1.0, 2.0)),  # no end below: none crosses
+                        column((0.25, -0.0), (-1.0, 0.5), (-1.0, 2.0)),  # no end below 0, nor is -0
                         column((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))], 2)[..., 0]
     assert_crossed(impl, corners, np.zeros(4, int), [-np.inf, 1.0, -np.inf, -np.inf])
 

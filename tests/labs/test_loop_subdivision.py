@@ -212,7 +212,7 @@ def surface_of(count, faces, steps):
 
 
 def warren(n):
-    return np.where(n == 3, 3 / 16, 3 / (8 * n))
+    return np.where(n == 3, 3 / 16, 3 / (8 * np.maximum(n, 1)))  # a vertex of no face has n = 0
 
 
 @exercise("11.16")

@@ -6,10 +6,11 @@ import trimesh
 from PIL import Image
 
 from apps.reconstruct import captures, command, views
+from course import commands
 from course.given import image
 from course.given.whose import Labs
 from course.scenes import photographs, reconstruct, viewing
-from labkit import cli, places
+from labkit import places
 from reference import multi_view_fit, reconstruction
 
 LABS = Labs("reference")
@@ -43,7 +44,7 @@ def test_the_command_makes_a_mesh_and_says_how_good_it_is(folder, tmp_path, monk
     """A step is left out, or the mesh of another folder is written over."""
     monkeypatch.setattr(reconstruct, "fine_stages", few_stages)
     monkeypatch.setattr(places, "OUT", str(tmp_path))
-    assert cli.main(["reconstruct", str(folder), "--size", "32"]) == 0
+    assert commands.main(["reconstruct", str(folder), "--size", "32"]) == 0
     printed = capsys.readouterr().out
     assert "pieces 1, genus 0; " in printed and " dB on the object in 1 new views" in printed
     assert "7.png: " in printed and "fits the pictures as well" in printed
@@ -108,9 +109,9 @@ def test_the_numbers_are_right(tmp_path):
 def test_what_the_user_can_mend_is_told_in_a_line(tmp_path, capsys):
     """A traceback from deep inside."""
     (tmp_path / "transforms.json").write_text("{}")
-    assert cli.main(["reconstruct", str(tmp_path)]) == 2
+    assert commands.main(["reconstruct", str(tmp_path)]) == 2
     assert capsys.readouterr().err.startswith("course: transforms.json must be ")
     for size in "31", "513", "many":
         with pytest.raises(SystemExit):
-            cli.main(["reconstruct", "FOLDER", "--size", size])
+            commands.main(["reconstruct", "FOLDER", "--size", size])
         assert "give a whole number from 32 to 512" in capsys.readouterr().err
