@@ -266,11 +266,10 @@ def blend_pairs(colour, pairs):
 
 def screen_points_backward(grad_x, grad_y, clip, width, height):
     """Backward of `screen_points` for x and y: grad_x, grad_y (V,) -> grad_clip (V, 4)."""
-    # Lab 1's viewport and divide, read upwards. The w is the one that the forward divides by.
-    *_, w = screen_points(clip, width, height)
+    *_, w = screen_points(clip, width, height)  # the one that the forward divides by
     grad_screen = np.stack([grad_x, grad_y, 0 * grad_x], -1)
-    grad_ndc = transforms.to_screen_backward(grad_screen, width, height)
-    return transforms.perspective_divide_backward(grad_ndc, np.column_stack([clip[:, :3], w]))
+    return transforms.to_screen_backward(grad_screen, np.column_stack([clip[:, :3], w]), width,
+                                         height)
 
 
 def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):

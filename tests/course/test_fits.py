@@ -232,7 +232,7 @@ def test_rays_go_through_their_pixels_centres():
     rays, change = reflections.rays(LABS, camera, eye, 8)
     points = eye + 0.7 * rays.reshape(-1, 3) / np.linalg.norm(rays.reshape(-1, 3), axis=1)[:, None]
     clip = LABS.pipeline.to_clip(points, camera)
-    screen = LABS.transforms.to_screen(LABS.transforms.perspective_divide(clip), 8, 8)
+    screen = LABS.transforms.to_screen(clip, 8, 8)
     y, x = np.indices((8, 8)) + 0.5
     np.testing.assert_allclose(screen[:, :2], np.stack([x.ravel(), y.ravel()], 1))
     np.testing.assert_allclose(change[:, :-1, :, 0], np.diff(rays, axis=1), atol=1e-12)
