@@ -1,14 +1,14 @@
 """Transforms: from a vertex of the model to a point on the screen.
 
-Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, and matrices act
-on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera looks down -z.
+Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, while matrices
+act on columns. Right-handed. The camera looks down -z.
 
     (x, y, z)  ->  (x, y, z, 1)                             homogeneous coordinates           (1)
     clip = P V M (x, y, z, 1)                               model, view, projection           (2)
     R = cos I + (1 - cos) n n^T + sin [n]x                  n = axis/|axis|, [n]x v = n x v   (3)
     V = [right above back]^T T(-eye),  above = back x right       the camera's axes as rows   (4)
         back = (eye - target) / |eye - target|,  right = (up x back) / |up x back|
-    t = near tan(fov_y / 2),  r = aspect t,  aspect = width / height,  l = -r,  b = -t        (5)
+    tan(fov_y / 2) = t / near,  r / t = aspect = width / height,  l = -r,  b = -t             (5)
         [2 near/(r-l)      0        (r+l)/(r-l)     0  ]
     P = [    0        2 near/(t-b)  (t+b)/(t-b)     0  ]    alpha and beta bring z = -near    (6)
         [    0             0           alpha      beta ]    to ndc -1, and z = -far to 1
