@@ -211,8 +211,10 @@ def to_screen(clip, width, height):  # exercise 1.13 (2 points)
     >>> to_screen(np.array([2.0, -2.0, 2.0, 4.0]), 640, 480)
     array([480. , 120. ,   0.5])
     """
-    ndc = clip[..., :3] / clip[..., 3:]
-    return (ndc + [1, 1, 0]) * [width / 2, height / 2, 1]
+    screen = clip[..., :3] / clip[..., 3:]
+    screen[..., :2] += 1
+    screen[..., :2] *= [width / 2, height / 2]
+    return screen
 
 
 def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.14 (3 points)
