@@ -6,7 +6,6 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from labkit.checks import assert_close
 from reference import inverse_rendering
 
 
