@@ -26,6 +26,7 @@ import numpy as np
 from course.given import mesh
 from course.given.arrays import EDGES, scatter, scatter_first
 
+from . import transforms
 from .rasterization import screen_points
 
 
@@ -171,11 +172,11 @@ def ends_backward(grad_x, grad_y, ends, clip, width, height):
     """
     vertex, end = np.unique(ends, return_inverse=True)
     grads = scatter(np.stack([grad_x, grad_y], -1), end.reshape(ends.shape), len(vertex))
-    *_, w = screen_points(clip[vertex], width, height)
-    grad_xy = grads * [width / 2, height / 2] / w[:, None]
+    *_, w = screen_points(clip[vertex], width, height)  # the one that the forward divides by
+    grad_screen = np.column_stack([grads, np.zeros(len(vertex))])
+    at = np.column_stack([clip[vertex, :3], w])
     grad_clip = np.zeros(clip.shape)
-    grad_clip[vertex, :2] = grad_xy
-    grad_clip[vertex, 3] = -(grad_xy * clip[vertex, :2]).sum(1) / w
+    grad_clip[vertex] = transforms.to_screen_backward(grad_screen, at, width, height)
     return grad_clip
 
 

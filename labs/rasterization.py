@@ -19,6 +19,8 @@ import numpy as np
 from course.given.arrays import EDGES, in_chunks, write_rows
 from course.given.faster import has_faster
 
+from . import transforms
+
 CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
@@ -115,7 +117,7 @@ def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
 
 
 def screen_points(clip, width, height):
-    """Where the vertices are on screen, after lab 1's divide and viewport.
+    """Where the vertices are on screen, by lab 1's `to_screen`.
 
     clip (V, 4) -> x, y in pixels and w, each (V,) of float64. A vertex behind the camera (w < 0)
     comes out mirrored.
@@ -127,10 +129,12 @@ def screen_points(clip, width, height):
     times the greater of |x| and |y| is raised to that, also in the w returned. Its sign stays, and
     w = 0 counts as positive. The eye itself, x = y = w = 0, comes out as nan.
     """
-    x, y, _, w = np.array(clip.T, float, order="C")  # contiguous rows: faster
+    rows = np.array(clip.T, float, order="C")  # contiguous rows: faster
+    x, y, _, w = rows
     least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
-    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
-    return (x / w + 1) * (width / 2), (y / w + 1) * (height / 2), w
+    w[:] = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
+    x, y, _ = np.ascontiguousarray(transforms.to_screen(rows.T, width, height).T)
+    return x, y, w
 
 
 def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)

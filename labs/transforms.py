@@ -1,20 +1,20 @@
 """Transforms: from a vertex of the model to a point on the screen.
 
-Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, and matrices act
-on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera looks down -z.
+Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, while matrices
+act on columns. Right-handed. The camera looks down -z.
 
     (x, y, z)  ->  (x, y, z, 1)                             homogeneous coordinates           (1)
     clip = P V M (x, y, z, 1)                               model, view, projection           (2)
     R = cos I + (1 - cos) n n^T + sin [n]x                  n = axis/|axis|, [n]x v = n x v   (3)
     V = [right above back]^T T(-eye),  above = back x right       the camera's axes as rows   (4)
         back = (eye - target) / |eye - target|,  right = (up x back) / |up x back|
-    t = near tan(fov_y / 2),  r = aspect t,  aspect = width / height,  l = -r,  b = -t        (5)
-        [2 near/(r-l)      0        (r+l)/(r-l)     0  ]    alpha = (far+near) / (near-far)
-    P = [    0        2 near/(t-b)  (t+b)/(t-b)     0  ]    beta  = 2 far near / (near-far)   (6)
-        [    0             0           alpha      beta ]
-        [    0             0            -1          0  ]    z = -near -> ndc -1,  -far -> +1
+    tan(fov_y / 2) = t / near,  r / t = aspect = width / height,  l = -r,  b = -t             (5)
+        [2 near/(r-l)      0        (r+l)/(r-l)     0  ]
+    P = [    0        2 near/(t-b)  (t+b)/(t-b)     0  ]    alpha and beta bring z = -near    (6)
+        [    0             0           alpha      beta ]    to ndc -1, and z = -far to 1
+        [    0             0            -1          0  ]
     ndc = (x, y, z) / w                                     the divide                        (7)
-    screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (8)
+    screen: x and y from -1..1 to 0..width and 0..height    the viewport, z stays             (8)
 
 What is visible has -w <= x, y, z <= w in clip space. Angles are in radians.
 Sources: OpenGL 1.0 manual, notes on GAMES101, "Differentiable graphics 1" (errata in lecture 1).
@@ -75,7 +75,7 @@ def scale(factors):
     return np.diag([*factors, 1.0])
 
 
-def rotate(axis, angle):  # exercise 1.6 (2 points)
+def rotate(axis, angle):  # extra 1.6 (2 points)
     """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
     R is its upper left 3 x 3. n n^T is the outer product of n with itself.
@@ -83,7 +83,15 @@ def rotate(axis, angle):  # exercise 1.6 (2 points)
     >>> rotate(np.array([0.0, 0.0, 2.0]), np.pi / 2).round(3) @ np.array([1.0, 0.0, 0.0, 1.0])
     array([0., 1., 0., 1.])
     """
-    raise NotImplementedError("exercise 1.6: rotate")
+    n = axis / np.linalg.norm(axis)
+    x, y, z = n
+    cross = np.array([[ 0, -z,  y],
+                      [ z,  0, -x],
+                      [-y,  x,  0]])
+    matrix = np.eye(4)
+    matrix[:3, :3] = (np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(n, n)
+                      + np.sin(angle) * cross)
+    return matrix
 
 
 def look_at(eye, target, up):  # exercise 1.7 (3 points)
@@ -113,7 +121,7 @@ def normal_matrix(matrix):  # extra 1.8 (2 points)
     return np.linalg.inv(matrix[:3, :3]).T
 
 
-def pinhole(f):  # extra 1.9 (1 point)
+def pinhole(f):  # step 1.9
     """The matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
 
     This is the textbook's camera. It looks down +z and keeps no depth. `perspective` mends both.
@@ -121,33 +129,39 @@ def pinhole(f):  # extra 1.9 (1 point)
     >>> pinhole(2.0) @ np.array([1.0, 3.0, 4.0, 1.0])
     array([2., 6., 8., 4.])
     """
-    return np.array([[f, 0, 0, 0],
-                     [0, f, 0, 0],
-                     [0, 0, f, 0],
-                     [0, 0, 1, 0.0]])
+    raise NotImplementedError("exercise 1.9: pinhole")
 
 
-def frustum_sides(fov_y, aspect, near):  # extra 1.10 (2 points)
+def frustum_sides(fov_y, aspect, near):  # step 1.10
     """Eq. (5): l, r, b, t of the near plane, four numbers. fov_y is the angle from bottom to top.
 
     >>> np.round(frustum_sides(np.pi / 2, 2.0, 0.5), 3)
     array([-1. ,  1. , -0.5,  0.5])
     """
-    t = near * np.tan(fov_y / 2)
-    r = aspect * t
-    return -r, r, -t, t
+    raise NotImplementedError("exercise 1.10: frustum_sides")
 
 
-def frustum(l, r, b, t, near, far):  # exercise 1.11 (2 points)
-    """Eq. (6): clip_from_view (4, 4) of a camera that sees l to r and b to t of its near plane.
+def perspective(fov_y, aspect, near, far):  # exercise 1.11 (3 points)
+    """Eqs. (5) and (6): clip_from_view (4, 4) of a camera that looks straight ahead.
 
-    >>> frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0)
-    array([[ 1.,  0.,  0.,  0.],
-           [ 0.,  1.,  0.,  0.],
-           [ 0.,  0., -2., -3.],
-           [ 0.,  0., -1.,  0.]])
+    fov_y: the angle from bottom to top. near, far: distances. The two conditions of (6) say what
+    alpha and beta are. All pictures are seen through it: `python3 -m course demo --impl labs cut`.
+
+    >>> perspective(np.pi / 2, 2.0, 1.0, 3.0).round(9)
+    array([[ 0.5,  0. ,  0. ,  0. ],
+           [ 0. ,  1. ,  0. ,  0. ],
+           [ 0. ,  0. , -2. , -3. ],
+           [ 0. ,  0. , -1. ,  0. ]])
     """
-    raise NotImplementedError("exercise 1.11: frustum")
+    raise NotImplementedError("exercise 1.11: perspective")
+
+
+def frustum(l, r, b, t, near, far):
+    """Eq. (6): clip_from_view (4, 4) of a camera that sees l to r and b to t of its near plane."""
+    matrix = perspective(np.pi / 2, 1.0, near, far)  # of which depth and w stay
+    matrix[0] = 2 * near / (r - l), 0, (r + l) / (r - l), 0
+    matrix[1] = 0, 2 * near / (t - b), (t + b) / (t - b), 0
+    return matrix
 
 
 def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
@@ -165,57 +179,27 @@ def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
                      [0,           0,           0,                1]])
 
 
-def perspective_divide(clip):  # exercise 1.13 (1 point)
-    """Eq. (7): divide by w, which is not 0: clip (..., 4) -> ndc (..., 3).
+def to_screen(clip, width, height):  # exercise 1.13 (2 points)
+    """Eqs. (7) and (8): where on screen, and how deep, are points in clip space?
 
-    >>> perspective_divide(np.array([2.0, 4.0, -2.0, 2.0]))
-    array([ 1.,  2., -1.])
+    clip (..., 4), w not 0 -> screen (..., 3): x and y in pixels, y up, and the depth, z of ndc.
+    All vertices of all pictures go this way: `python3 -m course demo --impl labs ties`.
+
+    >>> to_screen(np.array([2.0, -2.0, 2.0, 4.0]), 640, 480)
+    array([480. , 120. ,   0.5])
     """
-    raise NotImplementedError("exercise 1.13: perspective_divide")
+    raise NotImplementedError("exercise 1.13: to_screen")
 
 
-def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (3 points)
-    """Backward of eq. (7): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4).
+def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.14 (3 points)
+    """Backward of `to_screen`: grad_screen (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
-    >>> perspective_divide_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]))
-    array([ 0.5,  0. ,  0. , -1.5])
+    Every outline finds its way back by it: `python3 -m course demo --impl labs fit_triangle`.
+
+    >>> to_screen_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]), 640, 480)
+    array([ 160.,    0.,    0., -480.])
     """
-    raise NotImplementedError("exercise 1.14: perspective_divide_backward")
-
-
-def viewport(width, height):  # extra 1.15 (1 point)
-    """Eq. (8) as screen_from_ndc (4, 4): x from [-1, 1] to [0, width], y to [0, height], z stays.
-
-    >>> viewport(640, 480) @ np.array([-1.0, 1.0, 0.5, 1.0])
-    array([  0. , 480. ,   0.5,   1. ])
-    """
-    return np.array([[width / 2, 0,          0, width / 2],
-                     [0,         height / 2, 0, height / 2],
-                     [0,         0,          1, 0],
-                     [0,         0,          0, 1]])
-
-
-def to_screen(ndc, width, height):
-    """Eq. (8): ndc (..., 3) -> screen (..., 3), with x and y in pixels, y up, and z as it is.
-
-    >>> to_screen(np.array([0.0, 0.0, 0.5]), 640, 480)
-    array([320. , 240. ,   0.5])
-    """
-    return transform(to_homogeneous(ndc), viewport(width, height))[..., :3]
-
-
-def to_screen_backward(grad_screen, width, height):  # extra 1.17 (1 point)
-    """Backward of eq. (8): grad_screen (..., 3) -> grad_ndc (..., 3).
-
-    >>> to_screen_backward(np.array([1.0, 1.0, 1.0]), 640, 480)
-    array([320., 240.,   1.])
-    """
-    return grad_screen @ viewport(width, height)[:3, :3]
-
-
-def perspective(fov_y, aspect, near, far):
-    """Eqs. (5) and (6): clip_from_view (4, 4) of a camera that looks straight ahead."""
-    return frustum(*frustum_sides(fov_y, aspect, near), near, far)
+    raise NotImplementedError("exercise 1.14: to_screen_backward")
 
 
 def project(positions, clip_from_model, width, height):
@@ -223,15 +207,12 @@ def project(positions, clip_from_model, width, height):
 
     Nothing is clipped: what lies behind the camera comes out mirrored.
     """
-    clip = transform(to_homogeneous(positions), clip_from_model)
-    return to_screen(perspective_divide(clip), width, height)
+    return to_screen(transform(to_homogeneous(positions), clip_from_model), width, height)
 
 
 def project_backward(grad_screen, positions, clip_from_model, width, height):
     """Backward of `project`: -> grad_positions (V, 3), grad_clip_from_model (4, 4)."""
     points = to_homogeneous(positions)
-    clip = transform(points, clip_from_model)
-    grad_ndc = to_screen_backward(grad_screen, width, height)
-    grad_clip = perspective_divide_backward(grad_ndc, clip)
+    grad_clip = to_screen_backward(grad_screen, transform(points, clip_from_model), width, height)
     grad_points, grad_matrix = transform_backward(grad_clip, points, clip_from_model)
     return grad_points[:, :3], grad_matrix

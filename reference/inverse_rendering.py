@@ -20,24 +20,17 @@ import numpy as np
 from course.given.arrays import scatter
 
 
-def squared_error(picture, target):
-    """Eq. (2): how far is a picture from its target? The mean squared difference, a number.
+def squared_error(picture, target):  # exercise 9.2 (1 point)
+    """Eq. (2): how far is a picture from its target, and how should each value change?
 
-    picture, target: floats of one shape. The mean is over all pixels and channels.
+    picture, target: floats of one shape -> the loss, a number, and its gradient grad_picture.
 
-    >>> squared_error(np.array([[[1.0, 2.0], [3.0, 4.0]]]), np.array([[[1.0, 0.0], [3.0, 0.0]]]))
-    np.float64(5.0)
+    >>> squared_error(np.array([[[1.0, 2.0], [3.0, 8.0]]]), np.array([[[1.0, 0.0], [3.0, 4.0]]]))
+    (np.float64(5.0), array([[[0., 1.],
+            [0., 2.]]]))
     """
-    return ((picture - target)**2).mean()
-
-
-def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point)
-    """Backward of eq. (2): grad_loss, a number -> grad_picture, of the picture's shape.
-
-    >>> squared_error_backward(10.0, np.array([[1.0, 2.0, 3.0, 8.0]]), np.array([[1.0, 0, 3, 4]]))
-    array([[ 0., 10.,  0., 20.]])
-    """
-    return grad_loss * 2 * (picture - target) / picture.size
+    difference = picture - target
+    return (difference**2).mean(), 2 * difference / difference.size
 
 
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
@@ -182,38 +175,25 @@ def rotation_angle(p, q):  # extra 9.7 (2 points)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
-def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
-    """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
+def silhouette_loss(coverage, target):  # exercise 9.8 (3 points)
+    """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
 
-    coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered.
+    coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered -> the
+    loss, a number, and its gradient grad_coverage.
+    Watch it: `python3 -m course demo --impl labs fit_bunny`.
 
-    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
-    np.float64(0.5)
+    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0]))
+    (np.float64(0.5), array([ 0.16666667, -0.33333333, -0.33333333,  0.16666667]))
 
-    Fine print. Two empty silhouettes are the same: the loss is 0.
+    Fine print. Two empty silhouettes are the same: the loss is 0, and so is its gradient.
     """
     both = (coverage * target).sum()
     either = (coverage + target - coverage * target).sum()
     if either == 0:
-        return 0.0
-    return 1 - both / either
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points)
-    """Backward of eq. (4): grad_loss, a number -> grad_coverage, of coverage's shape.
-
-    >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
-    >>> silhouette_loss_backward(18.0, coverage, target)
-    array([ 3., -6., -6.,  3.])
-
-    Fine print. Two empty silhouettes have the gradient 0.
-    """
+        return 0.0, np.zeros(coverage.shape)
     # L = 1 - A / U: dL = -dA / U + A dU / U^2, with dA = t dc and dU = (1 - t) dc in each pixel.
-    both = (coverage * target).sum()
-    either = (coverage + target - coverage * target).sum()
-    if either == 0:
-        return np.zeros(coverage.shape)
-    return grad_loss * (both / either * (1 - target) - target) / either
+    grad_coverage = (both / either * (1 - target) - target) / either
+    return 1 - both / either, grad_coverage
 
 
 def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)

@@ -42,17 +42,17 @@ class Maps(NamedTuple):
 
 def corners_of(clip, faces):
     """The corners (F, 3, 3) of faces (F, 3) with vertices clip (V, 4): x, y in ndc, and z = w."""
-    ndc = transforms.perspective_divide(divisible(clip))
-    return np.column_stack([ndc[:, :2], clip[:, 3]])[faces]
+    ndc = clip[:, :2] / divisible(clip)[:, 3:]
+    return np.column_stack([ndc, clip[:, 3]])[faces]
 
 
 def corners_backward(grad_corners, clip, faces):
     """Backward of `corners_of`: grad_corners (F, 3, 3) -> grad_clip (V, 4)."""
     # A corner is gathered from its vertex, so gradients are scattered. x and y take lab 1's way
-    # back through the divide. z is w, so dw = dz.
+    # back through the divide: ndc is a screen of 2 x 2 pixels, but for a shift. z is w, so dw = dz.
     grad_vertex = scatter(grad_corners, faces, len(clip))
     grad_ndc = grad_vertex * [1, 1, 0]
-    grad_clip = transforms.perspective_divide_backward(grad_ndc, divisible(clip))
+    grad_clip = transforms.to_screen_backward(grad_ndc, divisible(clip), 2, 2)
     grad_clip[:, 3] += grad_vertex[:, 2]
     return grad_clip
 

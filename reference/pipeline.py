@@ -133,12 +133,12 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 @has_kernels("compiled_pipeline")
 def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
          width, height, background):
-    """Your own picture: rasterize, find the barycentrics, shade, antialias.
+    """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
-    `visible` makes the first four of the Buffers, and `shade` the others up to colour. The last
-    field, pairs, is what lab 8's `outlines.blended_pairs` finds. `blend_pairs` makes the picture
-    of them, and the way back needs them. All of lecture 09 is drawn by it.
+    `visible` makes the first four of the Buffers, and `shade` the colour. pairs, the last, are
+    those of lab 8's `outlines.blended_pairs`, of which `antialiasing.blend_pairs` makes the
+    picture. All demos are drawn by it: `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)

@@ -270,8 +270,7 @@ def position_loss(target, points, vertices, faces, light, settings):
                          f"least one point, got {np.shape(target)} for {len(points)} points; "
                          "give the shadow at the points")
     lit, buffers = variance_shadow(points, vertices, faces, light, settings)
-    loss = inverse_rendering.squared_error(lit, target)
-    grad_lit = inverse_rendering.squared_error_backward(1.0, lit, target)
+    loss, grad_lit = inverse_rendering.squared_error(lit, target)
     return loss, variance_shadow_backward(grad_lit, buffers, points, light, settings)
 
 

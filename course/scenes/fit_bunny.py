@@ -45,13 +45,13 @@ def carve(labs, penalty_backward, update, schedule, size, seed):
     white = labs.pipeline.make_mesh(start, faces)
 
     def gradient(x):
-        loss, grad_x = 0, penalty_backward(x)
+        total, grad_x = 0, penalty_backward(x)
         for view in rng.permutation(20)[:4]:
             picture, *given = silhouette(labs, white._replace(positions=x), cameras[view], size)
-            loss += lab9.silhouette_loss(picture, targets[view]) / 4
-            grad_picture = lab9.silhouette_loss_backward(1 / 4, picture, targets[view])
-            grad_x += labs.pipeline.render_backward(grad_picture, *given).positions
-        return loss, grad_x
+            loss, grad_picture = lab9.silhouette_loss(picture, targets[view])
+            total += loss / 4
+            grad_x += labs.pipeline.render_backward(grad_picture / 4, *given).positions
+        return total, grad_x
 
     path, losses = drawing.descended(labs, start, gradient, schedule, update)
     return np.array(path), losses

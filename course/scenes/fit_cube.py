@@ -59,9 +59,9 @@ def fit(labs, size, seed, steps=1000):
         pose = clip_from_world @ random_pose(labs, rng, 0.25)
         target, *_ = seen(labs, shape, TRUTH, pose, size)
         picture, *given = seen(labs, shape, x, pose, size)
-        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        loss, grad_picture = lab9.squared_error(picture, target)
         grads = labs.pipeline.render_backward(grad_picture, *given)
-        return lab9.squared_error(picture, target), Cube(grads.positions, grads.material.colours)
+        return loss, Cube(grads.positions, grads.material.colours)
 
     rates = [1e-2 * max(0.01, 10**(-0.0005 * step)) for step in range(steps)]
     path, losses = descended(labs, x, gradient, rates)

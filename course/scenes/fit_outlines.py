@@ -104,9 +104,10 @@ def triangle(labs, outline, steps=300, start=fit_triangle.START):
         positions = fit_triangle.in_space(x)
         clip = labs.pipeline.to_clip(positions, view.clip_from_model)
         picture, backward = outline(labs, clip, shape.faces, side)
-        grad_clip = backward(lab9.squared_error_backward(1.0, picture, goal))
-        grad_x, _ = labs.pipeline.to_clip_backward(grad_clip, positions, view.clip_from_model)
-        return lab9.squared_error(picture, goal), grad_x[:, :2]
+        loss, grad_picture = lab9.squared_error(picture, goal)
+        grad_x, _ = labs.pipeline.to_clip_backward(backward(grad_picture), positions,
+                                                   view.clip_from_model)
+        return loss, grad_x[:, :2]
 
     path, _ = descended(labs, start, gradient, fit_triangle.schedule(steps))
     return np.array(path)
@@ -124,10 +125,9 @@ def teapot(labs, outline, steps=150, size=64, weight=2e-3, radius=0.5):
 
     def gradient(x):
         picture, backward = outline(labs, pipeline.to_clip(x, camera), faces, size)
-        grad_clip = backward(lab9.silhouette_loss_backward(1.0, picture, goal))
-        grad_x, _ = pipeline.to_clip_backward(grad_clip, x, camera)
-        return (lab9.silhouette_loss(picture, goal),
-                grad_x + lab9.uniform_laplacian_energy_backward(weight, x, edges))
+        loss, grad_picture = lab9.silhouette_loss(picture, goal)
+        grad_x, _ = pipeline.to_clip_backward(backward(grad_picture), x, camera)
+        return loss, grad_x + lab9.uniform_laplacian_energy_backward(weight, x, edges)
 
     path, _ = descended(labs, start, gradient, lab9.decay(0.02, 0.1, steps))
     return np.array(path), faces

@@ -80,7 +80,7 @@ def search(labs, rng, start, goal, proposals, allowed):
     """
     lab9, rotations = labs.inverse_rendering, [start]
     target = seen(labs, goal, 16)[0]
-    least = lab9.squared_error(seen(labs, start, 16)[0], target)
+    least, _ = lab9.squared_error(seen(labs, start, 16)[0], target)
     for n in range(proposals):
         half_angle = np.pi / 2 * rng.uniform() * 0.01**(n / proposals)
         axis = rng.normal(size=3)
@@ -89,7 +89,7 @@ def search(labs, rng, start, goal, proposals, allowed):
         if n % 2:
             symmetry = allowed[rng.integers(len(allowed))]
             proposal = lab9.quaternion_product(proposal, symmetry)
-        loss = lab9.squared_error(seen(labs, proposal, 16)[0], target)
+        loss, _ = lab9.squared_error(seen(labs, proposal, 16)[0], target)
         rotations.append(proposal if loss < least else rotations[-1])
         least = min(loss, least)
     return rotations
@@ -101,10 +101,9 @@ def descent(labs, q, goal, size, steps, rate):
 
     def gradient(q):
         picture, *given = seen(labs, q, size)
-        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        loss, grad_picture = lab9.squared_error(picture, target)
         grad_matrix = labs.pipeline.render_backward(grad_picture, *given).clip_from_model
-        grad_q = lab9.quaternion_matrix_backward(camera(labs).T @ grad_matrix, q)
-        return lab9.squared_error(picture, target), grad_q
+        return loss, lab9.quaternion_matrix_backward(camera(labs).T @ grad_matrix, q)
 
     path, _ = descended(labs, q, gradient, lab9.decay(rate, 0.02, steps),
                       project=lambda q: q / np.linalg.norm(q))

@@ -41,10 +41,10 @@ def fit(labs, goal, antialiased, steps=300):
     def gradient(x):
         moved = mesh._replace(positions=in_space(x))
         picture, buffers = renderer.render(moved, material, view)
-        grad_picture = lab9.squared_error_backward(1.0, picture, goal)
+        loss, grad_picture = lab9.squared_error(picture, goal)
         grads = renderer.render_backward(grad_picture, buffers, moved, material, view)
         gradients.append(grads.positions[:, :2])
-        return lab9.squared_error(picture, goal), gradients[-1]
+        return loss, gradients[-1]
 
     path, losses = descended(labs, START, gradient, schedule(steps))
     return np.array(path), losses, np.array(gradients)

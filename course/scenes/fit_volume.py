@@ -62,10 +62,10 @@ def fit(labs, rays, n, steps, seed=0, batch=1000):
         origins, directions, target = (part[chosen] for part in rays)
         weights, *given = looked_up(labs, origins, directions, x)
         output = lab15.volume_render(*given)
-        grad_output = lab9.squared_error_backward(1.0, output, target)
+        loss, grad_output = lab9.squared_error(output, target)
         grad_density, grad_colour = lab15.volume_render_backward(grad_output, *given)
-        return lab9.squared_error(output, target), Volume(
-            weights.T @ grad_density.ravel(), weights.T @ grad_colour.reshape(-1, 3))
+        return loss, Volume(weights.T @ grad_density.ravel(),
+                            weights.T @ grad_colour.reshape(-1, 3))
 
     start = Volume(np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5))
     return lab9.descend(start, gradient, schedule(steps), project=bounded)

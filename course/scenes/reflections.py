@@ -64,7 +64,8 @@ def rays(labs, camera, eye, size):
     """The direction of each pixel from the eye (size, size, 3), and its change (..., 3, 2)."""
     world_from_clip = np.linalg.inv(camera)
     world_from_clip = world_from_clip[:3] - eye[:, None] * world_from_clip[3]
-    ndc_from_screen = np.linalg.inv(labs.transforms.viewport(size, size))
+    ndc_from_screen = np.diag([2 / size, 2 / size, 1, 1])
+    ndc_from_screen[:2, 3] = -1
     from_screen = world_from_clip @ ndc_from_screen  # linear in x and y: its columns are the change
     y, x = np.indices((size, size)) + 0.5
     places = np.stack([x, y, np.full(x.shape, 1.0), np.ones(x.shape)], -1)

@@ -327,9 +327,9 @@ MISLED = [
         texels, index, weight = inputs
         return (texels[index] * weight).sum(1)  # an axis is missing, and all but one check raise
      """, "5 times what was expected"),
-    ("transforms", "perspective_divide", "return inputs[0][..., :3] / -inputs[0][..., 3:]",
-     "division is by z"),
-    ("transforms", "perspective_divide", "return np.float32(right(*inputs))", "is by z"),
+    ("transforms", "to_screen", "return right(inputs[0] * [1, 1, 1, -1], *inputs[1:])",
+     "y points down"),
+    ("transforms", "to_screen", "return np.float32(right(*inputs))", "half a pixel"),
     ("rasterization", "bounding_box", """\
         triangle, width, height = inputs
         x0, y0 = np.clip(np.ceil(triangle.min(0) - 0.5), 0, [width, height])

@@ -2,7 +2,7 @@
 import numpy as np
 
 from course.given import mesh
-from course.scenes import fit_triangle, fit_vertices, small, viewing
+from course.scenes import fit_bunny, fit_pose, fit_triangle, fit_vertices, small, viewing
 
 RNG = np.random.default_rng(0)
 VERTICES, FACES = mesh.icosphere(320)
@@ -24,8 +24,10 @@ def scenes(labs):
                        [0, 0, 0, 1]])
     ball, coloured = draws.make_mesh(BUMPY, FACES), draws.Colours(COLOURS)
 
-    def seen_from(eye, width=40, height=32, **lens):
-        return draws.View(viewing.clip_from_world(labs, np.array(eye), **lens), width, height,
+    def seen_from(eye, width=41, height=32, near=0.1):
+        view_from_world = labs.transforms.look_at(np.array(eye), np.zeros(3), viewing.UP)
+        clip_from_view = labs.transforms.perspective(0.84, width / height, near, 10.0)
+        return draws.View(clip_from_view @ view_from_world, width, height,
                           np.array([0.1, 0.2, 0.3]))
 
     def flat(clip_from_model, width, height):
@@ -50,7 +52,8 @@ def shown(labs):
         picture, buffers = labs.pipeline.render(*scene)
         yield f"the picture {name}", picture
         goal = np.roll(picture[:, ::-1], 2, 0)
-        grad_picture = labs.inverse_rendering.squared_error_backward(1.0, picture, goal)
+        loss, grad_picture = labs.inverse_rendering.squared_error(picture, goal)
+        yield f"the loss {name}", loss
         grads = labs.pipeline.render_backward(grad_picture, buffers, *scene)
         yield f"the gradients {name}", np.concatenate([
             np.ravel(part) for part in (grads.positions, grads.clip_from_model, *grads.material)
@@ -61,3 +64,20 @@ def shown(labs):
     yield "the fit of vertices", path[-1][0]
     path = fit_vertices.fit(labs, fit_vertices.START, fit_vertices.NEARLY_GREY, 2, colours_too=True)
     yield "the fit of vertices and colours", np.hstack(path[-1])
+    yield "the fit of a silhouette", silhouette_fit(labs)
+    yield "the fit of a pose", fit_pose.fit(labs, 0, proposals=4, stages=((24, 3, 5e-3),))[0]
+
+
+def silhouette_fit(labs, steps=3, size=32):
+    """The path, and the losses, of a ball that becomes the bumpy one, seen from one side."""
+    lab9, goal = labs.inverse_rendering, labs.pipeline.make_mesh(BUMPY, FACES)
+    camera = viewing.cameras_around(labs, 3)[1]
+    target = fit_bunny.silhouette(labs, goal, camera, size)[0]
+
+    def gradient(x):
+        picture, *given = fit_bunny.silhouette(labs, goal._replace(positions=x), camera, size)
+        loss, grad_picture = lab9.silhouette_loss(picture, target)
+        return loss, labs.pipeline.render_backward(grad_picture, *given).positions
+
+    found = lab9.descend(VERTICES, gradient, [0.02] * steps)
+    return np.concatenate([np.append(x, loss) for x, loss in found])

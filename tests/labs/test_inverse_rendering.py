@@ -49,16 +49,40 @@ def averaging(count):
 
 # --- the squared error -------------------------------------------------------------------------
 
+def outputs(returned, *names):
+    """What was returned, one for each of the names. Mismatch: these are not as many."""
+    several = isinstance(returned, tuple) or (isinstance(returned, np.ndarray) and returned.ndim)
+    if not several or len(returned) != len(names):
+        count = {2: "two", 3: "three"}[len(names)]
+        raise Mismatch(("wrong", f"{count} outputs are expected: {', '.join(names)}"))
+    return returned
+
+
+def two(returned):
+    """A loss and its gradient."""
+    return outputs(returned, "the loss", "its gradient")
+
+
+PICTURE = np.array([[[2.0, 0.0, 6.0, 0.0], [8.0, 6.5, 6.0, 8.0], [5.0, 15.0, -0.5, 9.5]]])
+DIFFERENCE = np.array([[[1.0, -2.0, 3.0, -5.0], [4.0, 6.0, -1.0, 2.0], [-4.0, 7.0, -3.0, 8.0]]])
+
+
+@exercise("9.2")
+def test_the_loss_is_the_mean_square_on_paper(impl):
+    """It is the sum, or the mean is over pixels and the channels are summed, or a root is drawn.
+    Differences are not squared, or only their size counts. The gradient comes first.
+    """
+    loss, _ = two(impl.squared_error(PICTURE, PICTURE - DIFFERENCE))
+    assert_close(loss, 19.5)  # 234 / 12
+
+
 @exercise("9.2")
 def test_every_difference_pulls_by_twice_its_share(impl):
-    """The factor 2 or grad_loss is missing. The sign is wrong. The difference is still squared, or
-    only its sign is left. It is not divided by the number of values, or by that of pixels without
-    the channels.
+    """The factor 2 is missing. The sign is wrong. The difference is still squared, or only its sign
+    is left. It is not divided by the number of values, or by that of pixels without the channels.
     """
-    target = np.array([[[1.0, 2.0, 3.0, 5.0], [4.0, 0.5, 7.0, 6.0], [9.0, 8.0, 2.5, 1.5]]])
-    difference = np.array([[[1.0, -2.0, 3.0, -5.0], [4.0, 6.0, -1.0, 2.0], [-4.0, 7.0, -3.0, 8.0]]])
-    got = impl.squared_error_backward(18.0, target + difference, target)
-    assert_close(got, 3 * difference)  # 18 * 2 / 12 values
+    _, grad_picture = two(impl.squared_error(PICTURE, PICTURE - DIFFERENCE))
+    assert_close(grad_picture, DIFFERENCE / 6)  # 2 / 12 values
 
 
 @exercise("9.2")
@@ -67,8 +91,9 @@ def test_the_gradient_of_the_error_is_central_differences(impl, rng, gradcheck):
     def forward(picture, target):
         return np.mean([(picture[p] - target[p])**2 for p in np.ndindex(picture.shape)])
 
-    gradcheck(forward, impl.squared_error_backward, (rng.random((3, 5, 2)), rng.random((3, 5, 2))),
-              differentiable=[0], name="squared_error")
+    gradcheck(forward, lambda grad, *given: grad * two(impl.squared_error(*given))[1],
+              (rng.random((3, 5, 2)), rng.random((3, 5, 2))), differentiable=[0],
+              name="squared_error")
 
 
 # --- Adam --------------------------------------------------------------------------------------
@@ -94,10 +119,8 @@ NEW_SQUARE = np.array([4.6, 12.4, 49.0, 37.6])    # s' = 0.6 s + 0.4 g^2
 
 
 def three(returned):
-    """x', m', s' of what was returned. Mismatch: these are not three."""
-    if not isinstance(returned, tuple | np.ndarray) or np.ndim(returned) == 0 or len(returned) != 3:
-        raise Mismatch(("wrong", "three outputs are expected: x, mean and square"))
-    return returned
+    """x', m', s' of what was returned."""
+    return outputs(returned, "x", "mean", "square")
 
 
 @exercise("9.3")
@@ -354,6 +377,11 @@ def test_angles_near_pi_keep_their_digits(impl, rng, short):
     assert_close(np.pi - impl.rotation_angle(still, large), short, atol=1e-14)
 
 
+def loss_of(impl, coverage, target):
+    """The first of the two outputs."""
+    return two(impl.silhouette_loss(coverage, target))[0]
+
+
 @exercise("9.8")
 def test_silhouettes_on_paper(impl):
     """It is the overlap, not 1 minus it. The union is c + t and counts the overlap twice, or not at
@@ -362,7 +390,7 @@ def test_silhouettes_on_paper(impl):
     """
     coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
     target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
-    assert_close(impl.silhouette_loss(coverage, target), 5 / 9)  # 1 - 2 / 4.5
+    assert_close(loss_of(impl, coverage, target), 5 / 9)  # 1 - 2 / 4.5
 
 
 @exercise("9.8")
@@ -372,8 +400,8 @@ def test_the_loss_is_0_for_the_same_and_1_for_apart(impl):
     """
     here, there = np.zeros((4, 6)), np.zeros((4, 6))
     here[1:3, 0:2], there[1:3, 3:6] = 1.0, 1.0
-    assert_close(impl.silhouette_loss(here, here), 0.0)
-    assert_close(impl.silhouette_loss(here, there), 1.0)
+    assert_close(loss_of(impl, here, here), 0.0)
+    assert_close(loss_of(impl, here, there), 1.0)
 
 
 @exercise("9.8")
@@ -382,9 +410,9 @@ def test_pixels_covered_in_part_count_in_part(impl, rng):
     Or coverage is rounded to 0 and 1.
     """
     half = np.full((2, 3), 0.5)
-    assert_close(impl.silhouette_loss(half, half), 2 / 3)
+    assert_close(loss_of(impl, half, half), 2 / 3)
     coverage, target = rng.random((3, 5)), rng.random((3, 5))
-    assert_close(impl.silhouette_loss(coverage, target), pixel_by_pixel(coverage, target))
+    assert_close(loss_of(impl, coverage, target), pixel_by_pixel(coverage, target))
 
 
 @exercise("9.8")
@@ -392,36 +420,23 @@ def test_sums_are_over_all_pixels_at_once(impl, rng):
     """It is the mean of the losses of rows, channels or views, not one ratio of sums."""
     share = np.array([0.1, 1.0])[:, None, None] * [[0.3], [1.0], [0.6]] * [1.0, 0.2, 0.5, 0.9]
     coverage, target = share * rng.random((2, 3, 4)), rng.random((2, 3, 4))
-    assert_close(impl.silhouette_loss(coverage, target), pixel_by_pixel(coverage, target))
+    assert_close(loss_of(impl, coverage, target), pixel_by_pixel(coverage, target))
 
 
-@exercise("9.8", fine_print=True)
-def test_two_empty_silhouettes_are_the_same(impl):
-    """0 / 0: one view in which nothing is seen, and nothing should be, makes a fit's loss NaN."""
-    assert_close(impl.silhouette_loss(np.zeros((2, 3)), np.zeros((2, 3))), 0.0)
-
-
-@exercise("9.9")
+@exercise("9.8")
 def test_silhouette_gradients_on_paper(impl):
-    """grad_loss is missing. The sign is the overlap's, or one in the quotient rule is wrong. U or A
-    is taken for a constant, or is each pixel's. The union's derivative is 1 - t, not 1: c t is in
-    it. It is divided by U, not by U^2. coverage and target are exchanged.
+    """The sign is the overlap's, or one in the quotient rule is wrong. U or A is taken for a
+    constant, or is each pixel's. The union's derivative is 1 - t, not 1: c t is in it. It is
+    divided by U, not by U^2. coverage and target are exchanged.
     """
     coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
     target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
-    got = impl.silhouette_loss_backward(-81.0, coverage, target)
+    _, grad_coverage = two(impl.silhouette_loss(coverage, target))
     # A = 2, U = 4.5: (A (1 - t) - U t) / U^2 = (8 - 26 t) / 81.
-    assert_close(got, [[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]])
+    assert_close(-81 * grad_coverage, [[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]])
 
 
-@exercise("9.9", fine_print=True)
-def test_two_empty_silhouettes_have_no_gradient(impl):
-    """0 / 0: one view in which nothing is seen, and nothing should be, ends a fit."""
-    got = impl.silhouette_loss_backward(3.0, np.zeros((2, 3)), np.zeros((2, 3)))
-    assert_close(got, np.zeros((2, 3)))
-
-
-@exercise("9.9")
+@exercise("9.8")
 def test_the_gradient_of_silhouettes_is_central_differences(impl, rng, gradcheck):
     """It is right where each pixel is covered or not, and wrong between. Or rows or channels have
     ratios of their own.
@@ -433,8 +448,17 @@ def test_the_gradient_of_silhouettes_is_central_differences(impl, rng, gradcheck
     shape = 2, 3, 4  # unequal slices: no mean over rows or channels is the same
     coverage = rng.random(shape) * np.array([0.1, 1.0])[:, None, None]
     target = np.where(rng.random(shape) < 0.5, rng.random(shape), 1)
-    gradcheck(forward, impl.silhouette_loss_backward, (coverage, target), differentiable=[0],
-              name="silhouette_loss")
+    gradcheck(forward, lambda grad, *given: grad * two(impl.silhouette_loss(*given))[1],
+              (coverage, target), differentiable=[0], name="silhouette_loss")
+
+
+@exercise("9.8", fine_print=True)
+def test_two_empty_silhouettes_are_the_same(impl):
+    """0 / 0: one view in which nothing is seen, and nothing should be, makes a fit's loss NaN, or
+    ends the fit.
+    """
+    got = two(impl.silhouette_loss(np.zeros((2, 3)), np.zeros((2, 3))))
+    assert_close(got, (0.0, np.zeros((2, 3))))
 
 
 # --- the regularizer ---------------------------------------------------------------------------

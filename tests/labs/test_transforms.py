@@ -237,7 +237,7 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
         assert_close(np.array([r / t, l / r, b / t]), [aspect, -1.0, -1.0])
 
 
-SIDES = -1.0, 4.0, -3.0, 5.0, 2.0, 12.0  # left, right, bottom, top, near, far
+CAMERA = 2 * np.arctan(3 / 4), 1.5, 2.0, 12.0  # fov_y, aspect, near, far
 
 
 @exercise("1.11")
@@ -246,16 +246,16 @@ def test_w_is_the_distance_in_front_of_the_camera(impl):
     orthographic matrix, or 1 is left in [3, 3]. Or the matrix is transposed (column-major), rows
     and columns swapped.
     """
-    assert_close(impl.frustum(*SIDES)[3], [0.0, 0.0, -1.0, 0.0])
+    assert_close(impl.perspective(*CAMERA)[3], [0.0, 0.0, -1.0, 0.0])
 
 
 @exercise("1.11")
 def test_x_and_y_on_paper(impl):
-    """The 2 or near in 2 near / (r - l) is missing, or far stands there, or l, r, b, t or sum and
-    difference are mixed up. The off-centre terms are missing, have the wrong sign, or stand in the
-    last column, not the third.
+    """The tangent is of the whole angle, or is not divided by. The aspect divides y in place of x,
+    multiplies x, or is missing. Scales are near / t and near / r with the whole width and height,
+    or have near left over, or a 2.
     """
-    assert_close(impl.frustum(*SIDES)[:2], [[0.8, 0.0, 0.6, 0.0], [0.0, 0.5, 0.25, 0.0]])
+    assert_close(impl.perspective(*CAMERA)[:2], [[8 / 9, 0.0, 0.0, 0.0], [0.0, 4 / 3, 0.0, 0.0]])
 
 
 @exercise("1.11")
@@ -264,22 +264,25 @@ def test_depth_on_paper(impl):
     place. near and far are swapped. The factor 2 of beta is missing (half of beta). Or depth runs
     from 0 to 1 as in Direct3D.
     """
-    assert_close(impl.frustum(*SIDES)[2], [0.0, 0.0, -1.4, -4.8])
+    assert_close(impl.perspective(*CAMERA)[2], [0.0, 0.0, -1.4, -4.8])
 
 
 @exercise("1.11")
-def test_the_corners_of_the_frustum_become_those_of_the_cube(impl, rng):
-    """The matrix is right for one frustum, and wrong for others: a number stands there for l, r, b,
-    t, near or far.
+def test_the_corners_of_what_is_seen_become_those_of_the_cube(impl, rng):
+    """The matrix is right for one camera, and wrong for others: a number stands there for an angle,
+    an aspect, near or far.
     """
-    l, b, near = -rng.uniform(1, 2), -rng.uniform(1, 2), rng.uniform(0.5, 1)
-    r, t, far = rng.uniform(3, 4), rng.uniform(3, 4), rng.uniform(5, 9)
-    matrix = impl.frustum(l, r, b, t, near, far)
-    for x, ndc_x in (l, -1), (r, 1):
-        for y, ndc_y in (b, -1), (t, 1):
-            for z, ndc_z in (-near, -1), (-far, 1):
-                corner = matrix @ np.array([x * z / -near, y * z / -near, z, 1.0])
-                assert_close(corner[:3] / corner[3], [ndc_x, ndc_y, ndc_z], atol=1e-9)
+    slope, aspect, near, far = rng.uniform([0.2, 0.5, 0.5, 5], [3, 3, 1, 9])
+    matrix = impl.perspective(2 * np.arctan(slope), aspect, near, far)
+    for x in -1, 1:
+        for y in -1, 1:
+            for distance, z in (near, -1), (far, 1):
+                up = distance * slope
+                corner = matrix @ np.array([x * aspect * up, y * up, -distance, 1.0])
+                assert_close(corner, distance * np.array([x, y, z, 1.0]), atol=1e-9)
+
+
+SIDES = -1.0, 4.0, -3.0, 5.0, 2.0, 12.0  # left, right, bottom, top, near, far
 
 
 @exercise("1.12")
@@ -319,38 +322,53 @@ def test_the_corners_of_the_box_become_those_of_the_cube(impl, rng):
 
 
 @exercise("1.13")
-def test_the_divide_is_by_w(impl):
-    """The division is by z or -z, not w, or by |w|: the sign of w is lost. z is not divided. w of
-    the first point divides all, or w lost its last axis (clip[..., 3], not 3:). w is kept as a
-    fourth number.
+def test_x_and_y_are_in_pixels(impl):
+    """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
+    is taken as from 0 to 1. Width and height are swapped, or // rounds.
     """
-    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
-    assert_close(impl.perspective_divide(clip), [[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
-                                                 [0.5, -0.25, 0.375]])
+    ndc = np.array([[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [0.5, 0.0]])
+    clip = np.column_stack([ndc, np.zeros(4), np.ones(4)])
+    assert_close(impl.to_screen(clip, 641, 478)[:, :2], [[0.0, 0.0], [641.0, 0.0], [0.0, 478.0],
+                                                         [480.75, 239.0]])
 
 
 @exercise("1.13")
-def test_every_point_is_divided_by_its_own_w(impl, rng):
-    """Right for points (N, 4), but not for one point alone, or for several leading axes: w of
-    another point divides.
+def test_places_are_divided_by_w(impl):
+    """Nothing is divided by w, or w's sign is lost, or pixels are divided: the divide comes first.
     """
-    for shape in (4,), (2, 3, 4), (3, 3, 4):
-        clip = rng.normal(size=shape)
-        expected = np.array([[p[k] / p[3] for k in range(3)] for p in clip.reshape(-1, 4)])
-        assert_close(impl.perspective_divide(clip), expected.reshape(*shape[:-1], 3))
+    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
+    assert_close(impl.to_screen(clip, 10, 20)[:, :2], [[10.0, 30.0], [-5.0, 5.0], [7.5, 7.5]])
 
 
-GRAD_NDC = np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]])
+@exercise("1.13")
+def test_the_depth_is_z_over_w(impl):
+    """z is not divided by w, or is stretched to a range as x and y are. Or the output has no z."""
+    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
+    assert_close(impl.to_screen(clip, 10, 20)[..., 2], [-1.5, -0.25, 0.375])
+
+
+@exercise("1.13")
+@pytest.mark.parametrize("shape", [(4,), (2, 3, 4), (3, 3, 4)], ids=str)
+def test_every_point_has_its_own_w(impl, rng, shape):
+    """Right for points (N, 4), but not for one point alone, or for several leading axes."""
+    clip = rng.normal(size=shape)
+    expected = np.array([[(p[0] / p[3] + 1) * 4, (p[1] / p[3] + 1) * 2.5, p[2] / p[3]]
+                         for p in clip.reshape(-1, 4)])
+    assert_close(impl.to_screen(clip, 8, 5), expected.reshape(*shape[:-1], 3))
+
+
+GRAD_SCREEN = np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]])
 CLIP = np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]])
 
 
 @exercise("1.14")
 def test_the_gradients_by_x_y_and_z_on_paper(impl):
-    """The gradients of x, y and z are grad_ndc divided by w: once, not by w^2, by z, or not at all,
-    and not multiplied by w. Or grad_clip has no place for w, or w stands first.
+    """They are divided by w once, not by w^2, by z, or not at all, and not multiplied by w. The
+    viewport's scale is forgotten, divides, is the whole width and height, or is that of z, too.
+    Width and height are swapped. Or grad_clip has no place for w, or w stands first.
     """
-    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
-    assert_close(grad[..., :3], [[0.5, 5.0, 50.0], [-0.5, -0.75, 2.0]])
+    grad = impl.to_screen_backward(GRAD_SCREEN, CLIP, 6, 20)
+    assert_close(grad[..., :3], [[1.5, 50.0, 50.0], [-1.5, -7.5, 2.0]])
 
 
 @exercise("1.14")
@@ -358,59 +376,22 @@ def test_the_gradient_by_w_on_paper(impl):
     """The gradient of w is 0 (w as a constant), or has the wrong sign. x, y or z is missing: all
     three add to it. It is divided by w once or three times, not by w squared.
     """
-    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
-    # -(1 * 2 + 10 * 4 + 100 * 6) / 2^2  and  -(2 * 1 + 3 * 2 - 8 * 4) / 4^2
-    assert_close(grad[..., 3], [-160.5, 1.5])
+    grad = impl.to_screen_backward(GRAD_SCREEN, CLIP, 6, 20)
+    # -(3 * 2 + 100 * 4 + 100 * 6) / 2^2  and  -(6 * 1 + 30 * 2 - 8 * 4) / 4^2
+    assert_close(grad[..., 3], [-251.5, -2.125])
 
 
 @exercise("1.14")
 @pytest.mark.parametrize("shape", [(4,), (5, 4), (2, 3, 4)], ids=str)
-def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape, gradcheck):
+def test_the_gradient_of_the_way_to_the_screen_is_central_differences(impl, rng, shape, gradcheck):
     """Right for points (N, 4), but not for one point alone, or for several leading axes: w's
-    gradient is summed over the points, too.
+    gradient is summed over the points, too. Or to_screen's constant offset leaks in.
     """
     clip = rng.normal(size=shape)
     clip[..., 3] = rng.choice([-1, 1], shape[:-1]) * rng.uniform(0.5, 2, shape[:-1])
-    gradcheck(lambda clip: clip[..., :3] / clip[..., 3:], impl.perspective_divide_backward, (clip,),
-              name="perspective_divide")
 
+    def forward(clip):
+        return (clip[..., :3] / clip[..., 3:] + [1, 1, 0]) * [4.5, 2.0, 1.0]
 
-@exercise("1.15")
-def test_the_viewport_on_paper(impl):
-    """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
-    is taken as from 0 to 1. The shift is missing. Width and height are swapped, z is changed, or //
-    rounds.
-    """
-    assert_close(impl.viewport(641, 478), [[320.5, 0.0, 0.0, 320.5],
-                                           [0.0, 239.0, 0.0, 239.0],
-                                           [0.0, 0.0, 1.0, 0.0],
-                                           [0.0, 0.0, 0.0, 1.0]])
-
-
-@exercise("1.15")
-def test_the_corners_of_ndc_become_those_of_the_picture(impl, rng):
-    """The matrix is right for one size of the picture, and wrong for others."""
-    width, height = rng.integers([100, 1000], [900, 9000]).tolist()
-    matrix = impl.viewport(width, height)
-    assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), [0.0, 0.0, 0.5, 1.0])
-    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), [width, height, -0.5, 1.0])
-    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), [0.0, height, 0.0, 1.0])
-
-
-@exercise("1.17")
-def test_a_step_in_ndc_is_half_a_picture(impl):
-    """The gradient is divided by the scale, not multiplied. The constant offset is added, as in
-    to_screen itself. The scale is the whole width and height, not half of it, or they are swapped.
-    y is flipped, or z is not kept.
-    """
-    grad = impl.to_screen_backward(np.array([[1.0, 2.0, 3.0], [-4.0, 6.0, 5.0]]), 641, 479)
-    assert_close(grad, [[320.5, 479.0, 3.0], [-1282.0, 1437.0, 5.0]])
-
-
-@exercise("1.17")
-def test_the_gradient_of_the_viewport_is_central_differences(impl, rng, gradcheck):
-    """The constant part of the viewport leaks into the gradient."""
-    width, height = rng.integers([100, 1000], [900, 9000]).tolist()
-    gradcheck(lambda ndc: (ndc + np.array([1.0, 1.0, 0.0])) * [width / 2, height / 2, 1.0],
-              lambda grad, ndc: impl.to_screen_backward(grad, width, height),
-              (rng.normal(size=(3, 4, 3)),), name="to_screen")
+    gradcheck(forward, lambda grad, clip: impl.to_screen_backward(grad, clip, 9, 4), (clip,),
+              name="to_screen")

@@ -13,6 +13,8 @@ def quaternion_product(p, q):
 
 
 def silhouette_loss(coverage, target):
-    """it is the mean of the pixels' own ratios, not the ratio of the sums"""
-    union = coverage + target - coverage * target
-    return 1 - np.where(union > 0, coverage * target / np.where(union > 0, union, 1), 1).mean()
+    """the loss is the mean of the pixels' own ratios, not the ratio of the sums"""
+    both, union = coverage * target, coverage + target - coverage * target
+    loss = 1 - np.where(union > 0, both / np.where(union > 0, union, 1), 1).mean()
+    A, U = both.sum(), union.sum()
+    return loss, (A / U * (1 - target) - target) / U

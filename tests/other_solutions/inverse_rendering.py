@@ -4,6 +4,11 @@ import math
 import numpy as np
 
 
+def squared_error(picture, target):
+    away, count = np.subtract(picture, target), np.size(picture)
+    return np.vdot(away, away) / count, away * (1 / (count / 2))
+
+
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     beta_1, beta_2, epsilon = constants
     # With the two corrections moved into the rate and epsilon, as the paper's section 2 has it.
@@ -24,18 +29,10 @@ def quaternion_matrix(q):
         [0, 0, 0, square]]) / square
 
 
-def sums(coverage, target):
-    shared = np.vdot(coverage, target)
-    return shared, np.sum(coverage) + np.sum(target) - shared
-
-
 def silhouette_loss(coverage, target):
-    shared, either = sums(coverage, target)
-    return (either - shared) / either if either > 0 else 0
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):
-    shared, either = sums(coverage, target)
+    shared = np.vdot(coverage, target)
+    either = np.sum(coverage) + np.sum(target) - shared
     if not either:
-        return 0 * coverage
-    return grad_loss * ((1 - target) * shared / either - target) / either
+        return 0, 0 * coverage
+    iou = shared / either
+    return (either - shared) / either, ((1 - target) * iou - target) / either

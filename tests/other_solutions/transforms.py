@@ -11,18 +11,6 @@ def transform_backward(grad_output, points, matrix):
     return np.einsum("...i,ij->...j", grad_output, matrix), grad_matrix
 
 
-def rotate(axis, angle):
-    # The quaternion of the rotation, and its matrix.
-    length = math.sqrt(sum(float(part) ** 2 for part in axis))
-    w = math.cos(angle / 2)
-    x, y, z = (math.sin(angle / 2) * part / length for part in axis)
-    return np.array([
-        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), 0],
-        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x), 0],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z, 0],
-        [0, 0, 0, 1]])
-
-
 def look_at(eye, target, up):
     if math.dist(target, eye) == 0:
         raise ValueError("the eye is at its target")
@@ -35,21 +23,40 @@ def look_at(eye, target, up):
     return np.array([[*row, -(row @ eye)] for row in rows] + [[0, 0, 0, 1]])
 
 
-def frustum(l, r, b, t, near, far):
+def pinhole(f):
+    return np.vstack([f * np.eye(3, 4), [0, 0, 1, 0]])
+
+
+def frustum_sides(fov_y, aspect, near):
+    cosine = math.cos(fov_y)
+    t = near * math.sqrt((1 - cosine) / (1 + cosine))
+    return np.array([-aspect, aspect, -1, 1]) * t
+
+
+def perspective(fov_y, aspect, near, far):
     # Along z: A z + B is -near at z = -near, and far at z = -far.
     slope, offset = np.linalg.solve([[-near, 1], [-far, 1]], [-near, far])
+    focal = 1 / math.tan(fov_y / 2)
     matrix = np.zeros((4, 4), order="F")
-    matrix[0, 0], matrix[1, 1] = near / ((r - l) / 2), near / ((t - b) / 2)
-    matrix[:, 2] = (r + l) / (r - l), (t + b) / (t - b), slope, -1
+    matrix[0, 0], matrix[1, 1] = focal / aspect, focal
+    matrix[2:, 2] = slope, -1
     matrix[2, 3] = offset
     return matrix
 
 
-def perspective_divide_backward(grad_ndc, clip):
+def to_screen(clip, width, height):
+    # The viewport as a matrix, before the divide.
+    viewport = np.array([[width / 2, 0, 0, width / 2], [0, height / 2, 0, height / 2],
+                         [0, 0, 1, 0], [0, 0, 0, 1]])
+    x, y, z, w = np.moveaxis(clip @ viewport.T, -1, 0)
+    return np.stack([x / w, y / w, z / w], -1)
+
+
+def to_screen_backward(grad_screen, clip, width, height):
     # Jacobian by Jacobian.
     grad_clip = np.empty(np.shape(clip))
     for index in np.ndindex(np.shape(clip)[:-1]):
         x, y, z, w = clip[index]
         jacobian = [[1 / w, 0, 0, -x / w**2], [0, 1 / w, 0, -y / w**2], [0, 0, 1 / w, -z / w**2]]
-        grad_clip[index] = grad_ndc[index] @ jacobian
+        grad_clip[index] = grad_screen[index] * [width / 2, height / 2, 1] @ jacobian
     return grad_clip

@@ -26,10 +26,9 @@ from reference import (
 def test_descent(agrees):
     """The mean is over rows, or Adam's first steps are too short."""
     picture, target, x, grad, mean = np.random.default_rng(1).normal(size=(5, 1, 6))
-    agrees("blended", "squaredError", each(inverse_rendering.squared_error, picture, target),
-           picture, target)
-    agrees("blended", "squaredErrorBackward",
-           inverse_rendering.squared_error_backward(1.0, picture, target), picture, target)
+    loss, grad_picture = inverse_rendering.squared_error(picture, target)
+    agrees("blended", "squaredError", [loss], picture, target)
+    agrees("blended", "squaredErrorBackward", grad_picture, picture, target)
     step = x, grad, mean, mean**2, 3, 0.25
     agrees("blended", "adamStep", np.swapaxes(inverse_rendering.adam_step(*step), 0, 1), *step)
 
@@ -50,10 +49,10 @@ def test_frustum(call, agrees):
     points[20:40, 2] = -near[20:40]                                   # on the near plane
     clip = np.array(each(transforms.transform, points, matrices))
     agrees("frustum", "transform", clip, points, matrices)
-    agrees("frustum", "perspectiveDivide", transforms.perspective_divide(clip), clip)
+    agrees("frustum", "perspectiveDivide", clip[:, :3] / clip[:, 3:], clip)
     half = call("frustum", "halfway", near, near + depth)
     ahead = np.stack([0 * near, 0 * near, np.negative(half), 0 * near + 1], 1)
-    middles = transforms.perspective_divide(np.array(each(transforms.transform, ahead, matrices)))
+    middles = transforms.to_screen(np.array(each(transforms.transform, ahead, matrices)), 2, 2)
     np.testing.assert_allclose(middles[:, 2], 0, atol=1e-9)
 
 
