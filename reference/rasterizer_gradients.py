@@ -23,8 +23,7 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .interpolation import normalize_backward
-from .rasterization import edge_functions_at, normalize_derivative, seen_corners
+from .interpolation import edge_functions_at, seen_corners
 
 
 def cross(p, q):
@@ -92,7 +91,7 @@ def padded_sum(e, epsilon):
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
-    """Backward of db/dX in eq. (8), lab 2's `normalize_derivative`: dc stands for e_X, c for e.
+    """Backward of db/dX in eq. (8), lab 5's `normalize_derivative`: dc stands for e_X, c for e.
 
     grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N). Both b = c / s and s = sum c
     depend on c.
@@ -106,8 +105,8 @@ def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
     # db is linear in dc, which gives grad_dc. Where c moves, b changes by b' and s by s', and db
     # by -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
     # The second one goes through s = sum c.
-    grad_dc = normalize_backward(grad_db, b, s)
-    through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
+    grad_dc = (grad_db - (grad_db * b).sum(0)) / s
+    through_s = (grad_db * ((dc - b * dc.sum(0)) / s)).sum(0)
     return grad_dc, -(dc.sum(0) * grad_dc + through_s) / s
 
 
@@ -174,7 +173,7 @@ def faces_from_pixels(face_index, clip, faces):
 def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
     """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
 
-    Lab 2's `scatter` makes a whole array for each chunk. This adds in place.
+    The given `scatter` makes a whole array for each chunk. This adds in place.
     """
     X, Y = centre
     grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
@@ -183,7 +182,7 @@ def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
 
 
 def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
+    """Backward of lab 5's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
     face_index (H, W), clip (V, 4), faces (F, 3). The gradient with respect to z is 0. Pixels that
     see no face are ignored. epsilon of eq. (8): 0 gives the derivative, 1e-6 nvdiffrast's numbers.
@@ -193,13 +192,13 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
         e = edge_functions_at(0, 0, x, y)
         d = padded_sum(e, epsilon)
         grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()
-        grad_e = normalize_backward(grad_b, e / d, d)
+        grad_e = (grad_b - (grad_b * (e / d)).sum(0)) / d  # (4) of lab 5, backwards
         add_to_vertices(grad_clip, vertex, centre, *edge_functions_at_backward(grad_e, x, y))
     return grad_clip.T
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
+    """Backward of lab 5's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
     (V, 4). Axis 2: which weight, axis 3: x or y in pixels. The rest as in `barycentrics_backward`.
     """
     height, width = face_index.shape

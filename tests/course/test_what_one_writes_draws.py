@@ -13,7 +13,7 @@ from course.given.whose import Labs
 from labkit import exercises
 from labkit.upkeep import mistakes
 
-DRAWING = ("rasterization",)  # topics of which every core exercise is in the renderer
+DRAWING = "rasterization", "interpolation"  # topics of which every core exercise draws
 ENOUGH = 3                    # mistakes of each exercise, at least, must show
 CORE = [(topic, one.name) for topic in DRAWING for one in exercises.topic_exercises(topic)
         if not one.is_extra and one.points > 1]
