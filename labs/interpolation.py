@@ -49,7 +49,7 @@ def fraction_in_space(t, w_0, w_1):  # step 5.2
     raise NotImplementedError("exercise 5.2: fraction_in_space")
 
 
-def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # step 5.4
+def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     """Eq. (2): the attributes seen at fractions t (N,) of a segment on the screen -> (N, C).
 
     Its ends have the attributes a_0, a_1 (C,), and w_0, w_1, two numbers.
@@ -58,7 +58,8 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # step 5.4
     array([[8., 0.],
            [6., 1.]])
     """
-    raise NotImplementedError("exercise 5.4: attribute_on_segment")
+    t = t[:, None]
+    return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
 def barycentric_from_screen(e, w):  # step 5.5

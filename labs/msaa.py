@@ -148,8 +148,7 @@ def barycentric_at(px, py, face, clip, faces, width, height):
 
     A point beside the face is taken as one in the face's plane. Some weight is then negative.
     """
-    # Measured from the sample in clip space, before any division.
-    x, y, _, w = clip.T[:, faces[face].T]
+    x, y, _, w = clip.T[:, faces[face].T]  # in clip space, where nothing is divided yet
     x, y = x - (2 * px / width - 1) * w, y - (2 * py / height - 1) * w
     e = np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
     return (e / e.sum(0)).T

@@ -49,7 +49,7 @@ def fraction_in_space(t, w_0, w_1):  # step 5.2
     return t * w_0 / lerp(w_1, w_0, t)
 
 
-def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # step 5.4
+def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     """Eq. (2): the attributes seen at fractions t (N,) of a segment on the screen -> (N, C).
 
     Its ends have the attributes a_0, a_1 (C,), and w_0, w_1, two numbers.

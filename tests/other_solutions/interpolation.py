@@ -8,10 +8,6 @@ def fraction_in_space(t, w_0, w_1):
     return t / (t + (1 - t) * (w_1 / w_0))
 
 
-def attribute_on_segment(t, a_0, a_1, w_0, w_1):
-    return np.stack([a_0 + q * (a_1 - a_0) for q in fraction_in_space(t, w_0, w_1)])
-
-
 def barycentric_from_screen(e, w):
     n = e * np.roll(w, 1, -1) * np.roll(w, 2, -1)
     return n / np.sum(n, -1)[..., None]
