@@ -21,7 +21,7 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from course.given.arrays import EDGES, in_chunks, masked_scatter, scatter
+from course.given.arrays import EDGES, in_chunks, masked_scatter, scatter, write_rows
 from course.given.faster import has_faster
 
 from .rasterization import screen_points

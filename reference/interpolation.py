@@ -21,7 +21,7 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from course.given.arrays import EDGES, in_chunks, masked_scatter, scatter
+from course.given.arrays import EDGES, in_chunks, masked_scatter, scatter, write_rows
 from course.given.faster import has_faster
 
 from .rasterization import screen_points
@@ -125,7 +125,7 @@ def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
     barycentric = np.zeros((face_index.size, 3))
     for pixel, px, py, x, y, w in samples_on_faces(face_index, clip, faces):
         c = edge_functions_at(px, py, x, y) / w
-        barycentric[pixel] = (c / c.sum(0)).T
+        write_rows(barycentric, pixel, c / c.sum(0))
     return barycentric.reshape(*face_index.shape, 3)
 
 
@@ -213,7 +213,7 @@ def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 point
         de_dx = np.stack([y[i] - y[j] for i, j in EDGES])
         de_dy = np.stack([x[j] - x[i] for i, j in EDGES])
         for axis, de in enumerate((de_dx, de_dy)):
-            derivatives[pixel, :, axis] = normalize_derivative(de / w, c / s, s).T
+            write_rows(derivatives[..., axis], pixel, normalize_derivative(de / w, c / s, s))
     return derivatives.reshape(*face_index.shape, 3, 2)
 
 
