@@ -49,7 +49,7 @@ def stages(clip, faces, attributes, size):
     """{stage: call}, in order; "d " are the backward passes. Each gets what came before it."""
     opposite = antialiasing.opposite_vertices(faces)  # once for a mesh
     face_index, depth = rasterization.rasterize(clip, faces, size, size)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
+    barycentric = interpolation.barycentrics(face_index, clip, faces)
     colour = interpolation.interpolate(attributes, faces, face_index, barycentric)
     grad = np.random.default_rng(1).normal(size=colour.shape)
     edges = face_index, depth, clip, faces, opposite
@@ -57,7 +57,7 @@ def stages(clip, faces, attributes, size):
                                                           barycentric)[1]
     return {
         "rasterize": lambda: rasterization.rasterize(clip, faces, size, size),
-        "barycentrics": lambda: rasterization.barycentrics(face_index, clip, faces),
+        "barycentrics": lambda: interpolation.barycentrics(face_index, clip, faces),
         "interpolate": lambda: interpolation.interpolate(attributes, faces, face_index,
                                                          barycentric),
         "antialias": lambda: outlines.antialias(colour, *edges),

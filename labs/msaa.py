@@ -21,7 +21,7 @@ Sources: notes on GAMES101 lecture 6, Lottes 2009 (FXAA), Karis 2014 (TAA).
 import numpy as np
 from scipy import ndimage
 
-from course.given.arrays import scatter
+from course.given.arrays import EDGES, scatter
 
 from . import rasterization
 
@@ -148,9 +148,10 @@ def barycentric_at(px, py, face, clip, faces, width, height):
 
     A point beside the face is taken as one in the face's plane. Some weight is then negative.
     """
-    x, y, w = rasterization.screen_points(clip, width, height)
-    corners = faces.take(face, 0).T.copy()  # rows side by side
-    return rasterization.barycentric_on_face(px, py, x[corners], y[corners], w[corners]).T
+    x, y, _, w = clip.T[:, faces[face].T]  # in clip space, where nothing is divided yet
+    x, y = x - (2 * px / width - 1) * w, y - (2 * py / height - 1) * w
+    e = np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
+    return (e / e.sum(0)).T
 
 
 def supersample(clip, faces, width, height, n, shade, background):

@@ -22,7 +22,7 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .rasterization import normalize_derivative, seen_corners
+from .interpolation import seen_corners
 
 
 def cross(p, q):
@@ -136,7 +136,7 @@ def edge_normals_backward(grad_edges, corners):
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):
-    """Backward of db/dX in eq. (8), lab 2's `normalize_derivative`: dc stands for e_X, c for e.
+    """Backward of db/dX in eq. (8), lab 5's `normalize_derivative`: dc stands for e_X, c for e.
 
     grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N). Both b = c / s and s = sum c
     depend on c.
@@ -145,12 +145,12 @@ def normalize_derivative_backward(grad_db, dc, b, s):
     # by -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
     # The second one goes through s = sum c.
     grad_dc = (grad_db - (grad_db * b).sum(0)) / s
-    through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
+    through_s = (grad_db * ((dc - b * dc.sum(0)) / s)).sum(0)
     return grad_dc, -(dc.sum(0) * grad_dc + through_s) / s
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
+    """Backward of lab 5's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
     (V, 4). Axis 2: which weight, axis 3: x or y in pixels. The rest as in `barycentrics_backward`.
     """
     height, width = face_index.shape

@@ -9,22 +9,22 @@ but A / w and 1 / w are. t and q are fractions of a segment: t on the screen, q 
     db_k = (dc_k - b_k (dc_0 + dc_1 + dc_2)) / s               their derivatives             (4)
     A = b_0 A_0 + b_1 A_1 + b_2 A_2                            at a pixel that sees a face   (5)
     dA/dx = db_0/dx A_0 + db_1/dx A_1 + db_2/dx A_2            and dA/dy: its footprint      (6)
-    A_pixels = B A_vertices                                    (5) for all pixels at once    (7)
-    grad_A_vertices = B^T grad_A_pixels,   grad_b_k = grad_A . A_k                           (8)
+    grad_A_k += b_k grad_A,   grad_b_k = grad_A . A_k          back, for each pixel          (7)
+    A_pixels = B A_vertices                                    (5) for all pixels at once    (8)
 
-e_k is any multiple of lab 2's edge function opposite to corner k. B has one row for each pixel and
-one column for each vertex. attributes (V, C) are C numbers at each vertex. faces (F, 3) may name
-other vertices than those of the positions, as uv with seams do. face_index (H, W), -1 for no face,
-and barycentric (H, W, 3) come from lab 2.
+e_k is any multiple of lab 2's edge function opposite to corner k. attributes (V, C) are C numbers
+at each vertex. faces (F, 3) may name other vertices than those of the positions, as uv with seams
+do. face_index (H, W), -1 for no face, comes from lab 2.
 
 Source: lecture "Differentiable graphics 1".
 """
 import numpy as np
 import scipy.sparse
 
-from course.given.arrays import write_rows
+from course.given.arrays import EDGES, in_chunks, masked_scatter, scatter, write_rows
+from course.given.faster import has_faster
 
-from .rasterization import normalize_derivative, seen_corners
+from .rasterization import screen_points
 
 
 def lerp(a, b, t):
@@ -38,7 +38,7 @@ def lerp(a, b, t):
     return (1 - t) * a + t * b
 
 
-def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (1 point)
+def fraction_in_space(t, w_0, w_1):  # step 5.2
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
     t, w_0, w_1: numbers or arrays.
@@ -47,18 +47,6 @@ def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (1 point)
     array([0.  , 0.25, 1.  ])
     """
     return t * w_0 / lerp(w_1, w_0, t)
-
-
-def fraction_in_space_backward(grad_q, t, w_0, w_1):  # extra 5.3 (3 points)
-    """Backward of eq. (1): grad_q -> grad_t, grad_w_0, grad_w_1, all (...) like t, w_0 and w_1.
-
-    >>> np.array(fraction_in_space_backward(1.0, 0.5, 1.0, 3.0))
-    array([ 0.75  ,  0.1875, -0.0625])
-    """
-    # q = u / v with u = t w_0, v = t w_0 + (1 - t) w_1, so dq = (v du - u dv) / v^2.
-    v = lerp(w_1, w_0, t)
-    grad = grad_q / v**2
-    return grad * w_0 * w_1, grad * t * (1 - t) * w_1, -grad * t * (1 - t) * w_0
 
 
 def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
@@ -74,7 +62,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
+def barycentric_from_screen(e, w):  # step 5.5
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
@@ -86,7 +74,75 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
     return c / c.sum(-1, keepdims=True)
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
+def seen_corners(face_index, faces):
+    """The pixels that see a face, a part of the picture at a time: it stays in the cache.
+
+    Yields pixel (N,) = row * width + column, and corners (3, N), the vertices of their faces.
+    """
+    for pixel in in_chunks(np.flatnonzero(face_index >= 0)):
+        yield pixel, faces.take(face_index.take(pixel), 0).T.copy()  # contiguous rows: faster
+
+
+def samples_on_faces(face_index, clip, faces):
+    """The pixels that see a face and where its corners are, a part of the picture at a time.
+
+    Yields pixel (N,) = row * width + column, its centre px, py (N,), and the corners x, y, w (3, N)
+    of its face on the screen: row k of corner k.
+    """
+    height, width = face_index.shape
+    x, y, w = screen_points(clip, width, height)
+    for pixel, corners in seen_corners(face_index, faces):
+        row = pixel // width
+        yield (pixel, pixel - row * width + 0.5, row + 0.5,
+               x.take(corners), y.take(corners), w.take(corners))
+
+
+def edge_functions_at(px, py, x, y):
+    """The edge functions at samples: e (3, N). px, py (N,); x, y (3, N): the corners of the face
+    that each one sees.
+
+    Measured from the sample, not from a corner: one corner may be near infinity.
+    """
+    x, y = x - px, y - py
+    return np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
+
+
+def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
+    """Eq. (3) for a picture: where on its face, in space, does each pixel lie?
+
+    face_index (H, W), clip (V, 4), faces (F, 3) -> barycentric (H, W, 3), 0 where no face is seen.
+    `samples_on_faces` is given. Loop over it: it yields pixel (N,), the numbers of pixels row by
+    row, px, py (N,), their centres, and x, y, w (3, N), their faces' corners. `edge_functions_at`,
+    also given, makes e (3, N). To look at yours: `python3 -m course demo --impl labs bunny`.
+
+    >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
+    >>> barycentrics(np.array([[0, -1]]), clip, np.array([[0, 1, 2]]))
+    array([[[0.3, 0.1, 0.6],
+            [0. , 0. , 0. ]]])
+
+    Fine print. A corner may lie behind the camera, w < 0, or nearly at infinity on the screen.
+    """
+    barycentric = np.zeros((face_index.size, 3))
+    for pixel, px, py, x, y, w in samples_on_faces(face_index, clip, faces):
+        c = edge_functions_at(px, py, x, y) / w
+        write_rows(barycentric, pixel, c / c.sum(0))
+    return barycentric.reshape(*face_index.shape, 3)
+
+
+def normalize_derivative(dc, b, s, axis=0):  # step 5.15
+    """Eq. (4), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
+
+    dc, b -> db. The three weights lie along the axis, and s broadcasts with them.
+
+    >>> b, s = np.array([0.25, 0.25, 0.5]), 4.0
+    >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)
+    array([ 0.75, -0.25, -0.5 ])
+    """
+    ds = dc.sum(axis, keepdims=True)
+    return (dc - b * ds) / s
+
+
+def normalize_backward(grad_b, b, s, axis=0):  # step 5.6
     """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
     The three weights lie along the axis, and s broadcasts with them.
@@ -102,146 +158,69 @@ def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
 
 
-def barycentric_from_screen_backward(grad_b, e, w):
-    """Backward of eq. (3): grad_b -> grad_e, grad_w, all (..., 3) like e and w."""
-    # c = e / w: dc = de / w - c dw / w.
-    c = e / w
-    b = barycentric_from_screen(e, w)
-    grad_c = normalize_backward(grad_b, b, c.sum(-1, keepdims=True), axis=-1)
-    return grad_c / w, -grad_c * c / w
+def interpolate_pixel(attributes, corners, b):  # step 5.8
+    """Eq. (5) at one pixel, a gather: attributes (V, C) of the vertices -> A (C,).
 
+    corners (3,): the vertices of the face that it sees, b (3,): its barycentric.
 
-def barycentric_from_screen_derivatives(de, e, w):
-    """Eq. (4): how b of eq. (3) changes where e changes: de (..., 3, D) -> db (..., 3, D).
-
-    de holds D derivatives of e (..., 3), such as those with respect to x and to y. w (..., 3) is
-    constant.
+    >>> attributes = np.array([[9.0, 0.0], [4.0, 1.0], [6.0, 2.0], [8.0, 3.0]])
+    >>> interpolate_pixel(attributes, np.array([2, 1, 3]), np.array([0.5, 0.25, 0.25]))
+    array([6., 2.])
     """
-    b = barycentric_from_screen(e, w)[..., None]
-    s = (e / w).sum(-1)[..., None, None]
-    return normalize_derivative(de / w[..., None], b, s, axis=-2)
+    return b @ attributes[corners]
 
 
-def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
-    """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
+@has_faster("sparse_weights")
+def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2 points)
+    """Eq. (5), for all pixels at once: the picture (H, W, C) of attributes (V, C).
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3).
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3). It is 0 where no face is seen. The given
+    `masked_scatter` puts the seen pixels' rows into a picture.
+    The smooth normals of `python3 -m course demo --impl labs bunny` are mixed by it.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
-    >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
-    >>> interpolate_loop(np.array([[9.0], [4.0], [6.0], [8.0]]), faces, seen, b)
+    >>> b = np.array([[[0.5, 0.25, 0.25], [0.0, 0.0, 0.0]]])
+    >>> interpolate(np.array([[9.0], [4.0], [6.0], [8.0]]), faces, seen, b)
     array([[[6.],
             [0.]]])
     """
-    output = np.zeros((*face_index.shape, attributes.shape[1]))
-    for i, j in np.argwhere(face_index >= 0):
-        for vertex, b in zip(faces[face_index[i, j]], barycentric[i, j], strict=True):
-            output[i, j] += b * attributes[vertex]
-    return output
+    seen = face_index >= 0
+    corners = faces[face_index[seen]]
+    mixed = (barycentric[seen][..., None] * attributes[corners]).sum(1)
+    return masked_scatter(mixed, seen)
 
 
-def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points)
-                              faces, face_index, barycentric):
-    """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.
+def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 points)
+    """Eq. (4) for a picture: how `barycentrics` changes by a pixel to the right, and one up.
 
-    grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
-    grad_barycentric (H, W, 3), 0 where no face is seen.
+    face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
+    seen. The w of the corners stay, and e changes by the normal of its edge: edge k runs from
+    corner i to corner j, (i, j) = EDGES[k], and de_k/dx, de_k/dy = y_i - y_j, x_j - x_i. The edges
+    of `python3 -m course demo --impl labs bunny` are drawn by it, and all textures.
 
-    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
-    >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])
-    >>> grads = interpolate_backward_loop(grad_output, attributes, faces, np.array([[0]]), b)
-    >>> grads[0].T, grads[1]
-    (array([[0., 2., 4., 2.]]), array([[[48., 32., 64.]]]))
+    >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
+    >>> barycentrics_derivatives(np.array([[0]]), clip, np.array([[0, 1, 2]]))
+    array([[[[-1.5 , -1.5 ],
+             [ 0.75,  0.  ],
+             [ 0.75,  1.5 ]]]])
+
+    Fine print. A corner may lie behind the camera, w < 0.
     """
-    grad_attributes = np.zeros(attributes.shape)
-    grad_barycentric = np.zeros(barycentric.shape)
-    for i, j in np.argwhere(face_index >= 0):
-        for k, vertex in enumerate(faces[face_index[i, j]]):
-            grad_attributes[vertex] += barycentric[i, j, k] * grad_output[i, j]
-            grad_barycentric[i, j, k] = grad_output[i, j] @ attributes[vertex]
-    return grad_attributes, grad_barycentric
+    derivatives = np.zeros((face_index.size, 3, 2))
+    for pixel, px, py, x, y, w in samples_on_faces(face_index, clip, faces):
+        c = edge_functions_at(px, py, x, y) / w
+        s = c.sum(0)
+        de_dx = np.stack([y[i] - y[j] for i, j in EDGES])
+        de_dy = np.stack([x[j] - x[i] for i, j in EDGES])
+        for axis, de in enumerate((de_dx, de_dy)):
+            write_rows(derivatives[..., axis], pixel, normalize_derivative(de / w, c / s, s))
+    return derivatives.reshape(*face_index.shape, 3, 2)
 
 
-def weight_rows(faces, face_index, barycentric):  # extra 5.10 (3 points)
-    """B of eq. (7) in compressed sparse rows: start (H W + 1,), vertex and weight (3 N,).
-
-    Row p of B is pixel p, counted row by row. N pixels see a face and have three entries, in the
-    corners' order. Row p has entries start[p] to start[p + 1] - 1. Entry n is weight[n], in
-    column vertex[n].
-
-    >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
-    >>> weight_rows(faces, seen, np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]]))
-    (array([0, 3, 3]), array([2, 1, 3]), array([0.5 , 0.25, 0.25]))
-    """
-    face = face_index.reshape(-1)
-    start = np.append(0, np.cumsum(3 * (face >= 0)))
-    seen = np.flatnonzero(face >= 0)
-    vertex = faces.take(face[seen], 0)  # copies short rows four times as fast as faces[...]
-    weight = barycentric.reshape(-1, 3).take(seen, 0)
-    return start, vertex.reshape(-1), weight.reshape(-1)
-
-
-def interpolation_matrix(vertex_count, faces, face_index, barycentric):
-    """B of eq. (7), a sparse matrix (H W, V), made of `weight_rows`."""
-    return sparse_matrix(vertex_count, *weight_rows(faces, face_index, barycentric))
-
-
-def sparse_matrix(vertex_count, start, vertex, weight):
-    """The matrix of which `weight_rows` made start, vertex and weight: (H W, V).
-
-    IndexError if a seen face names a vertex that does not exist. SciPy would read on in memory.
-    """
-    if len(vertex) and not 0 <= vertex.min() <= vertex.max() < vertex_count:
-        raise IndexError(f"faces name rows {vertex.min()} to {vertex.max()} of the attributes, "
-                         f"which have {vertex_count}: give the faces that belong to them")
-    return scipy.sparse.csr_array((weight, vertex, start), (len(start) - 1, vertex_count))
-
-
-def interpolate(attributes, faces, face_index, barycentric):  # extra 5.11 (2 points)
-    """Eq. (7): the picture of `interpolate_loop`, without a loop over pixels -> (H, W, C).
-
-    The given `interpolation_matrix` makes B, and B @ x multiplies an array by it.
-    """
-    weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
-    return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
-
-
-def interpolate_backward(grad_output, attributes, faces, face_index,  # extra 5.12 (2 points)
-                         barycentric):
-    """Eq. (8): the gradients of `interpolate_backward_loop`, without a loop over pixels.
-
-    The given `barycentric_gradient` makes grad_barycentric.
-    """
-    weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
-    grad_attributes = weights.T @ grad_output.reshape(-1, attributes.shape[1])
-    return grad_attributes, barycentric_gradient(grad_output, attributes, faces, face_index)
-
-
-def barycentric_gradient(grad_output, attributes, faces, face_index):
-    """Eq. (8) for the weights: grad_output (H, W, C) -> grad_barycentric (H, W, 3).
-
-    attributes (V, C), faces (F, 3), face_index (H, W). It is 0 where no face is seen.
-    """
-    grad_pixels = grad_output.reshape(-1, attributes.shape[1])
-    grad_barycentric = np.zeros((face_index.size, 3))
-    channels = attributes.T.copy()  # contiguous rows: faster
-    for pixel, corners in seen_corners(face_index, faces):
-        grad_seen = grad_pixels.take(pixel, 0).T.copy()
-        by_weight = np.einsum("cn,ckn->kn", grad_seen, channels.take(corners, 1))
-        write_rows(grad_barycentric, pixel, by_weight)
-    return grad_barycentric.reshape(*face_index.shape, 3)
-
-
-def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exercise 5.13 (2 points)
+def interpolate_derivatives(attributes, faces, face_index, derivatives):
     """Eq. (6): dA/dx and dA/dy at each pixel (H, W, C, 2), 0 where no face is seen.
 
-    derivatives (H, W, 3, 2): db/dx and db/dy. `interpolate` is given. For A = (u, v) this is lab
-    6's matrix J.
-
-    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
-    >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
-    >>> interpolate_derivatives(attributes, faces, np.array([[0]]), db)
-    array([[[[-1. , -0.5]]]])
+    derivatives (H, W, 3, 2): db/dx and db/dy. For A = (u, v) this is lab 6's matrix J.
     """
     # (6) is (5) with other weights.
     by_x, by_y = (interpolate(attributes, faces, face_index, derivatives[..., axis])
@@ -249,22 +228,70 @@ def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exer
     return np.stack([by_x, by_y], -1)
 
 
-def interpolate_derivatives_backward(grad_output, attributes,  # extra 5.14 (3 points)
-                                     faces, face_index, derivatives):
+def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.9
+    """Eq. (7) at one pixel, a scatter: grad (C,) -> grad_attributes (V, C), grad_b (3,).
+
+    The backward pass of `interpolate_pixel`. A vertex that is two of the corners gets both shares.
+
+    >>> attributes = np.array([[9.0], [4.0], [6.0], [8.0]])
+    >>> corners, b = np.array([2, 1, 3]), np.array([0.5, 0.25, 0.25])
+    >>> grads = interpolate_pixel_backward(np.array([8.0]), attributes, corners, b)
+    >>> grads[0].T, grads[1]
+    (array([[0., 2., 4., 2.]]), array([48., 32., 64.]))
+    """
+    grad_attributes = np.zeros(attributes.shape)
+    for vertex, share in zip(corners, b, strict=True):
+        grad_attributes[vertex] += share * grad
+    return grad_attributes, attributes[corners] @ grad
+
+
+@has_faster("sparse_weights")
+def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (3 points)
+                         barycentric):
+    """Eq. (7), for all pixels at once: the backward pass of `interpolate`.
+
+    grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
+    grad_barycentric (H, W, 3), 0 where no face is seen. The given `scatter` sums what comes to a
+    vertex from all its pixels. Colours are found by it:
+    `python3 -m course demo --impl labs fit_cube`.
+
+    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
+    >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])
+    >>> grads = interpolate_backward(grad_output, attributes, faces, np.array([[0]]), b)
+    >>> grads[0].T, grads[1]
+    (array([[0., 2., 4., 2.]]), array([[[48., 32., 64.]]]))
+    """
+    seen = face_index >= 0
+    corners = faces[face_index[seen]]
+    grad = grad_output[seen][:, None]  # the same for each corner
+    shares = barycentric[seen][..., None] * grad
+    grad_barycentric = (grad * attributes[corners]).sum(-1)
+    return scatter(shares, corners, len(attributes)), masked_scatter(grad_barycentric, seen)
+
+
+def interpolate_derivatives_backward(grad_output, attributes, faces, face_index, derivatives):
     """Backward of eq. (6): grad_output (H, W, C, 2) -> grad_attributes, grad_derivatives.
 
     They have the shapes of attributes (V, C) and derivatives (H, W, 3, 2).
-
-    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
-    >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
-    >>> grads = interpolate_derivatives_backward(np.array([[[[2.0, 4.0]]]]), attributes, faces,
-    ...                                          np.array([[0]]), db)
-    >>> grads[0].T, grads[1]
-    (array([[ 0.,  1.,  0., -1.]]), array([[[[12., 24.],
-             [ 8., 16.],
-             [16., 32.]]]]))
     """
     # (6) is (5) twice, so the attributes get the sum of both.
     by_x, by_y = (interpolate_backward(grad_output[..., axis], attributes, faces, face_index,
                                        derivatives[..., axis]) for axis in (0, 1))
     return by_x[0] + by_y[0], np.stack([by_x[1], by_y[1]], -1)
+
+
+def interpolation_matrix(vertex_count, faces, face_index, barycentric):
+    """B of eq. (8), a sparse matrix (H W, V): a row for each pixel, counted row by row, with the
+    weights of its three corners. B.T is the scatter of eq. (7).
+
+    IndexError if a seen face names a vertex that does not exist. SciPy would read on in memory.
+    """
+    face = face_index.reshape(-1)
+    seen = np.flatnonzero(face >= 0)
+    vertex = faces.take(face[seen], 0).reshape(-1)  # copies short rows faster than faces[...]
+    if len(vertex) and not 0 <= vertex.min() <= vertex.max() < vertex_count:
+        raise IndexError(f"faces name rows {vertex.min()} to {vertex.max()} of the attributes, "
+                         f"which have {vertex_count}: give the faces that belong to them")
+    weight = barycentric.reshape(-1, 3).take(seen, 0).reshape(-1)
+    start = np.append(0, np.cumsum(3 * (face >= 0)))  # row p has the entries from start[p] on
+    return scipy.sparse.csr_array((weight, vertex, start), (len(face), vertex_count))

@@ -147,7 +147,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
     (array([1.  , 0.75, 0.  , 0.  ]), array([1., 1., 0., 0.]))
     """
     face_index, depth = rasterization.rasterize(clip, faces, width, height)                # lab 2
-    barycentric = rasterization.barycentrics(face_index, clip, faces)                 # lab 2
+    barycentric = interpolation.barycentrics(face_index, clip, faces)                      # lab 5
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)                                # labs 5, 6
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)          # lab 8
@@ -200,7 +200,7 @@ def visible(clip, faces, width, height):
     clip (V, 4), faces (F, 3). It checks nothing, and most drawings need no more.
     """
     face_index, depth = rasterization.rasterize(clip, faces, width, height)
-    return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
+    return Buffers(clip, face_index, depth, interpolation.barycentrics(face_index, clip, faces))
 
 
 def shade(seen, faces, material, background):
@@ -237,9 +237,8 @@ def coloured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    grad_colours = to_vertices(grad_colour, buffers, faces)
-    grad_barycentric = interpolation.barycentric_gradient(grad_colour, material.colours, faces,
-                                                          buffers.face_index)
+    grad_colours, grad_barycentric = interpolation.interpolate_backward(
+        grad_colour, material.colours, faces, buffers.face_index, buffers.barycentric)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
     # 0 is taken from the others first, and then from itself.
     for corner in 2, 1, 0:
@@ -249,10 +248,10 @@ def coloured_backward(grad_colour, buffers, faces, material):
 
 @has_kernels("compiled_pipeline")
 def to_vertices(grad_pixels, buffers, faces):
-    """The transpose of lab 5's B: grad_pixels (H, W, C) -> what the vertices get (V, C)."""
-    weights = interpolation.interpolation_matrix(len(buffers.clip), faces, buffers.face_index,
-                                                 buffers.barycentric)
-    return weights.T @ grad_pixels.reshape(-1, grad_pixels.shape[-1])
+    """Back from pixels to vertices alone: grad_pixels (H, W, C) -> grad_attributes (V, C)."""
+    any_attributes = np.zeros((len(buffers.clip), grad_pixels.shape[-1]))
+    return interpolation.interpolate_backward(grad_pixels, any_attributes, faces,
+                                              buffers.face_index, buffers.barycentric)[0]
 
 
 def footprints(uv, uv_faces, seen, derivatives):
@@ -268,7 +267,7 @@ def footprints(uv, uv_faces, seen, derivatives):
 
 def textured(seen, faces, material):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
-    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
+    derivatives = interpolation.barycentrics_derivatives(seen.face_index, seen.clip, faces)
     at, footprint = footprints(material.uv, material.uv_faces, seen, derivatives)
     colour = mipmapping.texture(material.image, at, footprint, filter_mode=material.filter_mode)
     return masked_scatter(colour, seen.face_index >= 0)
@@ -279,7 +278,7 @@ def textured_backward(grad_colour, buffers, faces, material):
     grad_derivatives (H, W, 3, 2).
     """
     seen = buffers.face_index >= 0
-    derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip, faces)
+    derivatives = interpolation.barycentrics_derivatives(buffers.face_index, buffers.clip, faces)
     at, footprint = footprints(material.uv, material.uv_faces, buffers, derivatives)
     grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
         grad_colour[seen], material.image, at, footprint, filter_mode=material.filter_mode)

@@ -1,4 +1,4 @@
-"""Rasterization: which face does each pixel see, how deep, and where on the face?
+"""Rasterization: which face does each pixel see, and how deep?
 
 Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j + 0.5, i + 0.5).
 
@@ -6,17 +6,17 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
     covered  <=>  every e_k > 0, or e_k = 0 where edge k is a top-left edge                  (2)
     l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     screen weights, e_k opposite to vertex k      (3)
     depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
-    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     barycentric: on the face, in space   (5)
-    db_k = (dc_k - b_k ds) / s                                                               (6)
+    c_k = e_k / w_k,   all of one sign where covered, behind the camera, too                 (5)
 
 Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
-functions, lab 7's inverse and lab 10's face_inv are the same numbers.
+functions, lab 7's inverse and lab 10's face_inv are the same numbers. Lab 5 makes of them where on
+its face a pixel lies.
 
-Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), notes on GAMES101 (4).
+Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (5), notes on GAMES101 (4).
 """
 import numpy as np
 
-from course.given.arrays import EDGES, in_chunks, write_rows
+from course.given.arrays import EDGES
 from course.given.faster import has_faster
 
 from . import transforms
@@ -221,96 +221,6 @@ def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
     weights = e / (e @ corners[:, 3])[..., None]
     depth = weights @ corners[:, 2]
     return (weights >= 0).all(-1) & (np.abs(depth) <= 1), depth
-
-
-def edge_functions_at(px, py, x, y):
-    """e of eq. (1) at samples: e (3, N). px, py (N,); x, y (3, N): the corners that each one sees.
-
-    Measured from the sample, not from a corner: one corner may be near infinity.
-    """
-    x, y = x - px, y - py
-    return np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
-
-
-def barycentric_on_face(px, py, x, y, w):  # extra 2.16 (3 points)
-    """Eq. (5): where on its face, in space, a sample lies: b (3, N), each column with sum 1.
-
-    px, py (N,): samples. x, y, w (3, N): the corners of the face that each one sees, w of any
-    sign. Row k of x, y and w belongs to corner k. Lab 5 shows why the picture's weights (3) differ.
-    `edge_functions_at` is given.
-
-    >>> x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 3.0, 1.0]])[..., None]
-    >>> barycentric_on_face(np.array([4.0]), np.array([2.0]), x, y, w)
-    array([[0.375],
-           [0.25 ],
-           [0.375]])
-    """
-    c = edge_functions_at(px, py, x, y) / w
-    return c / c.sum(0)
-
-
-def normalize_derivative(dc, b, s, axis=0):  # extra 2.17 (2 points)
-    """Eq. (6), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
-
-    dc, b -> db. The three weights lie along the axis, and s broadcasts with them. Lab 5's
-    `normalize_backward` is the way back.
-
-    >>> b, s = np.array([0.25, 0.25, 0.5]), 4.0
-    >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)
-    array([ 0.75, -0.25, -0.5 ])
-    """
-    ds = dc.sum(axis, keepdims=True)
-    return (dc - b * ds) / s
-
-
-def barycentric_derivatives(px, py, x, y, w):
-    """The derivatives of `barycentric_on_face` with respect to px and to py, each (3, N)."""
-    c = edge_functions_at(px, py, x, y) / w
-    s = c.sum(0)
-    dc_dx = np.stack([y[i] - y[j] for i, j in EDGES]) / w
-    dc_dy = np.stack([x[j] - x[i] for i, j in EDGES]) / w
-    return normalize_derivative(dc_dx, c / s, s), normalize_derivative(dc_dy, c / s, s)
-
-
-def seen_corners(face_index, faces):
-    """The pixels that see a face, in chunks that stay in the cache.
-
-    Yields pixel (N,) = row * width + column, and corners (3, N), the vertices of their faces.
-    """
-    for pixel in in_chunks(np.flatnonzero(face_index >= 0)):
-        yield pixel, faces.take(face_index.take(pixel), 0).T.copy()  # contiguous rows: faster
-
-
-def samples_on_faces(face_index, clip, faces):
-    """What `barycentric_on_face` takes, of the pixels that see a face, in chunks: yields pixel (N,)
-    = row * width + column, its centre px, py (N,), and the corners x, y, w (3, N) of its face.
-    """
-    height, width = face_index.shape
-    x, y, w = screen_points(clip, width, height)
-    for pixel, corners in seen_corners(face_index, faces):
-        row = pixel // width
-        yield (pixel, pixel - row * width + 0.5, row + 0.5,
-               x.take(corners), y.take(corners), w.take(corners))
-
-
-def barycentrics(face_index, clip, faces):
-    """Where on its face every pixel lies: barycentric (height, width, 3), 0 where no face is seen.
-
-    face_index (height, width) of a rasterizer; clip (V, 4), faces (F, 3).
-    """
-    barycentric = np.zeros((face_index.size, 3))
-    for pixel, *sample in samples_on_faces(face_index, clip, faces):
-        write_rows(barycentric, pixel, barycentric_on_face(*sample))
-    return barycentric.reshape(*face_index.shape, 3)
-
-
-def barycentrics_derivatives(face_index, clip, faces):
-    """db/dx and db/dy of `barycentrics`, per pixel: (height, width, 3, 2), 0 where none is seen."""
-    derivatives = np.zeros((face_index.size, 3, 2))
-    for pixel, *sample in samples_on_faces(face_index, clip, faces):
-        for axis, by_axis in enumerate(barycentric_derivatives(*sample)):
-            write_rows(derivatives[..., axis], pixel, by_axis)
-    return derivatives.reshape(*face_index.shape, 3, 2)
 
 
 def edge_function_backward(grad_e, p, a, b):  # extra 2.2 (2 points)

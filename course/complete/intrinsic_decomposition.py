@@ -102,9 +102,9 @@ def pixel_weights(surface, target):
     height, width, _ = target.picture.shape
     clip = pipeline.to_clip(surface.vertices, target.view.clip_from_model)
     seen = pipeline.visible(clip, surface.faces, width, height)
-    weights = interpolation.weight_rows(surface.faces, seen.face_index, seen.barycentric)
+    matrix = interpolation.interpolation_matrix(len(surface.vertices), surface.faces,
+                                                seen.face_index, seen.barycentric)
     chosen = (seen.face_index >= 0) & inner(target.picture)
-    matrix = interpolation.sparse_matrix(len(surface.vertices), *weights)
     return matrix[np.flatnonzero(chosen)], target.picture[chosen][:, :3]
 
 

@@ -7,8 +7,9 @@ need from the package that asks. Where numba is installed, pipeline.py and mipma
 replaced by the last two, to the bit (course/given/compiled.py).
 
     scanline           lab 2's rasterizer, whole rows at once, in NumPy
+    sparse_weights     lab 5's interpolation as a product with one sparse matrix
     face_kernels       lab 2's rasterizer
-    pixel_kernels      weights and colours of labs 2 and 5, there and back
+    pixel_kernels      lab 5's weights and colours, there and back
     pair_kernels       lab 8's antialiasing, there and back
     pyramid_kernels    lab 6's pyramids and levels
     texel_kernels      lab 6's look-ups, there and back: `texture`

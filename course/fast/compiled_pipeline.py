@@ -132,7 +132,7 @@ def contiguous(clip, faces):
 
 
 def barycentrics(face_index, points, faces):
-    """`rasterization.barycentrics`, from the points of `screen_vertices`."""
+    """`interpolation.barycentrics`, from the points of `screen_vertices`."""
     height, width = face_index.shape
     weights = np.empty((3, height * width))
 

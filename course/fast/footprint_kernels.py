@@ -1,6 +1,6 @@
 """Footprint kernels: where each pixel looks up a texture, and the way back to (u, v) and to clip.
 
-    a thread a band    footprints_along   (5), (6) of rasterization.py and of interpolation.py
+    a thread a band    footprints_along   (3) to (6) of interpolation.py
                        run_gradients      the way back, summed along each run of pixels
     one thread         add_to_corners     runs -> vertices and (u, v), in the order of the pixels
 
@@ -329,7 +329,7 @@ def require_corners(face_index, uv, uv_faces):
     """IndexError if a seen face names a corner that is not in uv: kernels would read beside it."""
     if uv_faces.size and not 0 <= uv_faces.min() <= uv_faces.max() < len(uv):
         nowhere = np.zeros((*face_index.shape, 3))
-        interpolation.interpolation_matrix(len(uv), uv_faces, face_index, nowhere)
+        interpolation.interpolation_matrix(len(uv), uv_faces, face_index, nowhere)  # says which
 
 
 def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv_faces, bands):

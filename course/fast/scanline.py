@@ -1,7 +1,7 @@
 """Scanlines: lab 2 for whole meshes at once, exact on every shared edge, also behind the camera.
 
 Corners are rows of (3, F) arrays, their w of any sign. A face covers a sample p = (x, y) if every
-e_k / w_k, which is c_k of (5) in rasterization.py, has the sign of 2A or is 0:
+e_k / w_k, which is c_k of (3) in interpolation.py, has the sign of 2A or is 0:
 
     covered  <=>  every n_k . (p - from_k) >= 0,   ties by the top-left rule                 (2)
                   n_k = sign(2A w_k) times the normal of edge k, from_k: one of its ends
@@ -302,7 +302,7 @@ def rasterize(clip, faces, width, height, beyond=None):
 
 
 def trials():
-    """What is drawn to try whether lab 2's `rasterize` is the same: lists of its arguments."""
+    """{name: lists of arguments}: what is drawn to try whether lab 2's `rasterize` is the same."""
     # Squares with corners on pixel centres, the second upon the first, the third clockwise.
     x, y = np.array([[1.5, 5.5, 5.5, 1.5, 3.5, 9.5, 9.5, 3.5, 7.5, 7.5, 11.5, 11.5],
                      [1.5, 1.5, 4.5, 4.5, 2.5, 2.5, 6.5, 6.5, 0.5, 5.5, 5.5, 0.5]])
@@ -310,4 +310,5 @@ def trials():
     corners = np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7], [8, 9, 10], [8, 10, 11]])
     # Faces through each other, through the near and far planes, and out of the picture.
     soup = np.random.default_rng(2).uniform([-2, -2, -2, 0.5], [2, 2, 2, 2], (90, 4))
-    return [(squares, corners, 12, 8), (soup, np.arange(90).reshape(30, 3), 24, 15)]
+    return {"rasterize": [(squares, corners, 12, 8),
+                          (soup, np.arange(90).reshape(30, 3), 24, 15)]}

@@ -15,10 +15,10 @@ SAME = 1e-9  # numbers that differ by less are only rounded differently
 def has_faster(module):
     """A decorator for an exercise: course/fast/MODULE.py has a function of its name, only faster.
 
-    Whether it returns the same is tried at the first call, on that module's `trials`. If not, what
-    was written does the work, however long it takes, and a sentence says so. Where
+    Whether it returns the same is tried at the first call, on what that module's `trials` has for
+    it. If not, what was written does the work, however long it takes, and a sentence says so. Where
     exercises are checked the faster one stands in, so that what calls this one can be right alone.
-    What was written is the function's `written`, and that is what its own checks call.
+    What was written is its `written`, and that is what its own checks call.
     """
     def decorate(own):
         package, _, _ = own.__module__.partition(".")
@@ -46,11 +46,11 @@ def function_of(module, name):
 
 @functools.cache
 def agrees(own, fast):
-    """Do two functions return the same arrays on the `trials` of the second one's module?
+    """Do two functions return the same arrays on what the second one's module has for a trial?
 
     NotImplementedError: own is not written.
     """
-    trials = importlib.import_module(fast.__module__).trials()
+    trials = importlib.import_module(fast.__module__).trials()[own.__name__]
     agreed = all(is_same(own, fast, args) for args in trials)
     if not agreed:
         print(f"Your {own.__name__} returns something else than it should, or stops with an error. "

@@ -52,16 +52,15 @@ def shaded(vertices, faces, face_index, barycentric):
     """Face index and barycentrics of a picture -> the picture with `lit` faces."""
     seen = face_index >= 0
     corners = mesh.vertex_normals(vertices, faces)[faces[face_index[seen]]]
-    return painted(seen, image.to_srgb(lit(barycentric[seen], corners)))
+    normal = np.einsum("nk,nkc->nc", barycentric[seen], corners)
+    return painted(seen, image.to_srgb(lit(normal)))
 
 
-def lit(barycentric, corners):
-    """One light on smooth normals, mixed by the barycentrics. It also reaches round the edge.
-
-    barycentric (N, 3), the corners' normals (N, 3, 3) -> linear colour (N, 3).
+def lit(normal):
+    """One light on normals (N, 3) of any length -> linear colour (N, 3). It also reaches round the
+    edge.
     """
-    normal = mesh.unit(np.einsum("nk,nkc->nc", barycentric, corners))
-    light = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
+    light = (0.5 + 0.5 * mesh.unit(normal) @ LIGHT / np.linalg.norm(LIGHT)) ** 2
     return light[:, None] * BRASS
 
 

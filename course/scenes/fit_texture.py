@@ -116,5 +116,5 @@ def footprints(labs, clip_from_model, size):
     vertices, faces, uv = globe()
     clip = labs.pipeline.to_clip(vertices, clip_from_model)
     seen = labs.pipeline.visible(clip, faces, size, size)
-    derivatives = labs.rasterization.barycentrics_derivatives(seen.face_index, clip, faces)
+    derivatives = labs.interpolation.barycentrics_derivatives(seen.face_index, clip, faces)
     return seen.face_index >= 0, *labs.pipeline.footprints(uv, faces, seen, derivatives)

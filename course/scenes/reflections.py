@@ -34,8 +34,8 @@ def view(labs, camera, eye, size):
     attributes = np.concatenate([vertices - eye, mesh.vertex_normals(vertices, faces)], 1)
     clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), camera)
     face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
-    weights = labs.rasterization.barycentrics(face_index, clip, faces)
-    changes = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    weights = labs.interpolation.barycentrics(face_index, clip, faces)
+    changes = labs.interpolation.barycentrics_derivatives(face_index, clip, faces)
     seen = face_index >= 0
     at = labs.interpolation.interpolate(attributes, faces, face_index, weights)[seen]
     rate = labs.interpolation.interpolate_derivatives(attributes, faces, face_index, changes)[seen]

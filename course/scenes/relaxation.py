@@ -37,5 +37,5 @@ def drawn(labs, vertices, faces, size=SIZE):
     """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
     clip = clip_positions(labs, mesh.normalize(vertices), TEAPOT_EYE)
     seen = labs.pipeline.visible(clip, faces, size, size)
-    derivatives = labs.rasterization.barycentrics_derivatives(seen.face_index, clip, faces)
+    derivatives = labs.interpolation.barycentrics_derivatives(seen.face_index, clip, faces)
     return wireframe(seen.face_index >= 0, seen.barycentric, derivatives)

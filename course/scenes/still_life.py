@@ -196,7 +196,7 @@ def picture(labs, scene, width, height, samples=16):
 def shaded(labs, scene, clip, eye, picture, bias=0.0):
     """A background (H, W, 3), on which the things are painted that an eye sees."""
     seen = labs.pipeline.visible(clip, scene.faces, *picture.shape[1::-1])
-    derivatives = labs.rasterization.barycentrics_derivatives(seen.face_index, clip, scene.faces)
+    derivatives = labs.interpolation.barycentrics_derivatives(seen.face_index, clip, scene.faces)
     there = seen.face_index >= 0
     normals = mesh.vertex_normals(scene.vertices, scene.faces)
     given = np.concatenate([scene.vertices - eye, normals], 1), scene.faces, seen.face_index

@@ -9,10 +9,10 @@ from course.given import compiled, mesh
 from reference import (
     compiled_pipeline,
     footprint_kernels,
+    interpolation,
     mipmapping,
     pipeline,
     pyramid_kernels,
-    rasterization,
     rasterizer_gradients,
     texel_kernels,
     texturing,
@@ -158,7 +158,7 @@ def through_numpy(monkeypatch, seen, faces, material, grad_colour):
     """The pipeline's own steps: at, footprint, colour, gradients of the Texture and of clip."""
     for name in "texture", "texture_backward":
         monkeypatch.setattr(mipmapping, name, unwrap(getattr(mipmapping, name)))
-    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
+    derivatives = interpolation.barycentrics_derivatives(seen.face_index, seen.clip, faces)
     grads, *weights = pipeline.textured_backward(grad_colour, seen, faces, material)
     grad_clip = rasterizer_gradients.rasterize_backward(*weights, None, seen.face_index, seen.clip,
                                                         faces)

@@ -1,4 +1,5 @@
 """What the exercises of lab 5 must do."""
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -108,40 +109,6 @@ def test_a_point_of_the_segment_is_found_again(impl, rng):
         assert_close(impl.fraction_in_space(t, sign * w[0], sign * w[1]), q, rtol=1e-6, atol=1e-8)
 
 
-def fraction(t, w_0, w_1):
-    """Eq. (1), by way of 1/w."""
-    return t / w_1 / ((1 - t) / w_0 + t / w_1)
-
-
-@exercise("5.3")
-def test_gradients_of_the_fraction_on_paper(impl):
-    """The denominator is taken for constant: the quotient rule's second term, -u dv, is missing. Or
-    it is not squared. w_1's gradient has the wrong sign, or is exchanged with w_0's. A factor, as
-    w_1, 1 - t or grad_q, is left out.
-    """
-    # v = 4, 5, 5, 4, so grad_q / v^2 = 1, 2, 4, -2
-    got = impl.fraction_in_space_backward(
-        np.array([16.0, 50.0, 100.0, -32.0]), np.array([0.5, 0.25, 0.75, 0.5]),
-        np.array([2.0, 2.0, 4.0, 5.0]), np.array([6.0, 6.0, 8.0, 3.0]))
-    assert_close(got, ([12.0, 24.0, 128.0, -30.0], [1.5, 2.25, 6.0, -1.5],
-                       [-0.5, -0.75, -3.0, 2.5]))
-
-
-@exercise("5.3")
-def test_both_w_grow_alike_and_nothing_happens(impl, rng):
-    """w_0 dq/dw_0 + w_1 dq/dw_1 = 0, for eq. (1) holds the ratio of the two alone."""
-    grad_q, t, w_0, w_1 = rng.normal(size=9), *rng.uniform(0.1, 0.9, (3, 9))
-    _, grad_w_0, grad_w_1 = impl.fraction_in_space_backward(grad_q, t, w_0, w_1)
-    assert_close(w_0 * grad_w_0, -w_1 * grad_w_1)
-
-
-@exercise("5.3")
-def test_gradients_of_the_fraction_are_central_differences(impl, rng, gradcheck):
-    """The gradient of t is missing a w, or grad_q is not multiplied in."""
-    inputs = rng.uniform(0.05, 0.95, (2, 4)), *rng.uniform(0.5, 4, (2, 2, 4))
-    gradcheck(fraction, impl.fraction_in_space_backward, inputs, name="fraction_in_space")
-
-
 @exercise("5.4")
 def test_attributes_along_a_segment_on_paper(impl):
     """One division is missing: of a_0 and a_1 by their w, or of the sum by the interpolated 1/w.
@@ -225,6 +192,143 @@ def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
     assert_close(got, c / c.sum(-1, keepdims=True), rtol=1e-6, atol=1e-6)
 
 
+# --- a picture's barycentrics -------------------------------------------------------------------
+
+def ray_weights(x, y, w, px, py):
+    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
+    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
+    return c / c.sum()
+
+
+def exact_weights(x, y, w, px, py):
+    """Eq. (3) without rounding: x, y, w, px, py are fractions."""
+    x, y = [k - px for k in x], [k - py for k in y]
+    c = [(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1)))]
+    return [float(k / sum(c)) for k in c]
+
+
+def one_face(w, width, height):
+    """clip (3, 4) of a face with a corner at the centre of pixel 0, 0, and its legs 8 pixels long.
+
+    At the centre of the pixel in row i and column j, e is 8 - j - i, j, i.
+    """
+    x, y = np.array([[0.5, 8.5, 0.5], [0.5, 0.5, 8.5]])
+    return np.stack([2 * x / width - 1, 2 * y / height - 1, 0 * x, 1 + 0 * x], -1) * w[:, None]
+
+
+def faces_in_sight(rng, signs=(1,)):
+    """face_index (5, 7), clip, faces and a list of i, j, the corners x, y, w (3,) of what is seen.
+
+    No corner is near the camera plane, nor a face thin.
+    """
+    x, y = rng.uniform(-1, 1, (2, 6, 3)) + np.array([[[0.0, 7.0, 2.0]], [[0.0, 1.0, 6.0]]])
+    w = rng.uniform(0.5, 2, (6, 3)) * rng.choice(signs, (6, 3))
+    clip = np.stack([(2 * x / 7 - 1) * w, (2 * y / 5 - 1) * w, 0 * w, w], -1).reshape(-1, 4)
+    order = rng.permutation(18)  # vertices are not in the order of the faces
+    face_index = rng.integers(-2, 6, (5, 7)).clip(-1)
+    seen = [(i, j, (x[face], y[face], w[face])) for (i, j), face in np.ndenumerate(face_index)
+            if face >= 0]
+    return face_index, clip[order], np.argsort(order).reshape(6, 3), seen
+
+
+SOME = np.full((5, 8), -1)  # four pixels of a picture see the face
+SOME[[2, 4, 1, 0], [5, 2, 2, 6]] = 0
+
+
+@exercise("5.7")
+def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
+    """Nothing is divided by w: these are the picture's weights, without perspective. Or it is
+    multiplied by w, or divided by another corner's. It is not divided by the sum s, or by that of e
+    alone, or s is over the samples.
+    """
+    # With w = 1, 2, 4, c is 8 - j - i, j / 2, i / 4.
+    clip = one_face(np.array([1.0, 2.0, 4.0]), 8, 5)
+    b = impl.barycentrics(SOME, clip, np.array([[0, 1, 2]]))
+    assert_close(b[[2, 4, 1, 0], [5, 2, 2, 6]],
+                 [[0.25, 0.625, 0.125], [0.5, 0.25, 0.25], [0.8, 0.16, 0.04], [0.4, 0.6, 0.0]])
+
+
+@exercise("5.7")
+def test_a_pixel_sees_the_point_of_its_face_on_its_ray(impl, rng):
+    """Pixels, faces or corners are mixed up, or the weights do not sum to 1."""
+    face_index, clip, faces, seen = faces_in_sight(rng)
+    b = impl.barycentrics(face_index, clip, faces)
+    for i, j, _ in seen:
+        x, y, _, w = b[i, j] @ clip[faces[face_index[i, j]]]
+        assert_close([x / w, y / w, b[i, j].sum()], [(2 * j + 1) / 7 - 1, (2 * i + 1) / 5 - 1, 1.0])
+
+
+@exercise("5.7")
+def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
+    """-1 is used as an index, which puts the last face there; or the picture has another shape."""
+    face_index, clip, faces, _ = faces_in_sight(rng)
+    b = impl.barycentrics(face_index, clip, faces)
+    assert_equal(b.shape, (5, 7, 3))
+    assert_equal(b[face_index < 0], np.zeros(((face_index < 0).sum(), 3)))
+
+
+@exercise("5.7", fine_print=True)
+def test_weights_are_right_behind_the_camera(impl, rng):
+    """|w| divides, or weights are made positive."""
+    face_index, clip, faces, seen = faces_in_sight(rng, (1, 1, -1))
+    b = impl.barycentrics(face_index, clip, faces)
+    for i, j, corners in seen:
+        assert_close(b[i, j], ray_weights(*corners, j + 0.5, i + 0.5), rtol=1e-6, atol=1e-9)
+
+
+@exercise("5.7", fine_print=True)
+def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
+    """`edge_function` measures from a corner, and its rounding error is as large as the corner is
+    far away. Measure from the sample, as the given `edge_functions_at` does.
+    """
+    w = np.array([1.0, 3e-10, 3.0])
+    clip = np.array([[-0.225, -0.7, 0, 1], [-1.1, 0.7, 0, 3e-10], [0.975, 2.775, 0, 3]])
+    x, y = (clip[:, 0] / w + 1) * 4, (clip[:, 1] / w + 1) * 4
+    face_index = np.full((8, 8), -1)
+    face_index[[6, 3, 3], [0, 1, 2]] = 0
+    corners = [[Fraction(float(number)) for number in row] for row in (x, y, w)]
+    b = impl.barycentrics(face_index, clip, np.array([[0, 1, 2]]))
+    for i, j in (6, 0), (3, 1), (3, 2):
+        expected = exact_weights(*corners, Fraction(j + 0.5), Fraction(i + 0.5))
+        assert_close(b[i, j], expected, rtol=1e-9)
+
+
+# --- the quotient rule --------------------------------------------------------------------------
+
+@exercise("5.15")
+def test_weights_change_by_the_quotient_rule_on_paper(impl):
+    """The second term, - b ds, is missing (s as a constant), added instead of subtracted, without
+    b, or ds is not the sum of dc. It is not divided by s, or by s^2, or multiplied by s.
+    """
+    b, s = np.array([[0.25, 0.5], [0.25, 0.125], [0.5, 0.375]]), np.array([4.0, 2.0])
+    db = impl.normalize_derivative(np.array([[10.0, -3.0], [0.0, 4.0], [6.0, 7.0]]), b, s)
+    assert_close(db, [[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]])
+
+
+@exercise("5.15")
+def test_a_change_of_any_size_counts_alike(impl):
+    """A finite difference in the place of eq. (4), which is linear in dc: a large step leaves the
+    tangent, and a small one is lost in rounding.
+    """
+    b, s = np.array([0.25, 0.25, 0.5]), np.array(4.0)
+    for size in 1e9, 1e-9:
+        db = impl.normalize_derivative(size * np.array([10.0, 0.0, 6.0]), b, s)
+        assert_close(db / size, [1.5, -1.0, -0.5])
+
+
+@exercise("5.15")
+@pytest.mark.parametrize("axis", [0, -1])
+def test_the_change_is_that_of_b(impl, rng, axis):
+    """The sum is taken over the samples, not over the three weights: axis says where these are. Or
+    axis is ignored.
+    """
+    c, dc = rng.uniform(0.5, 2, (2, 3, 7)) if axis == 0 else rng.uniform(0.5, 2, (2, 5, 2, 3))
+    s = c.sum(axis, keepdims=True)
+    moved = c + 1e-20j * dc  # a complex step: its difference loses no digits
+    expected = (moved / moved.sum(axis, keepdims=True)).imag / 1e-20
+    assert_close(impl.normalize_derivative(dc, c / s, s[0] if axis == 0 else s, axis), expected)
+
+
 QUOTIENT_GRADS = np.array([[8.0, 10.0, 20.0, 10.0], [0.0, 20.0, 10.0, -10.0],
                            [16.0, 30.0, -10.0, 20.0]])
 QUOTIENTS = np.array([[0.125, 0.6, 0.1, 0.2], [0.25, 0.3, 0.6, 0.3], [0.625, 0.1, 0.3, 0.5]])
@@ -277,7 +381,65 @@ def test_the_weights_need_not_sum_to_1(impl, rng, gradcheck):
     check_quotients(impl, gradcheck, rng.uniform(0.5, 2, (3, 4)), 0, more=0.3)
 
 
-# --- pictures, pixel by pixel ------------------------------------------------------------------
+# --- one pixel, there and back -------------------------------------------------------------------
+
+ONE = np.array([4, 2, 0]), np.array([0.7, 0.2, 0.1])  # the corners of pixel 0, 1 below, and b
+
+
+@exercise("5.8")
+def test_a_pixel_mixes_its_three_corners(impl):
+    """The corners are averaged, or the weights stand in reverse order. The first three attributes
+    are mixed, whatever the corners are.
+    """
+    assert_close(impl.interpolate_pixel(ATTRIBUTES, *ONE), [-2.8, 3.5])
+
+
+@exercise("5.8")
+def test_a_pixel_has_as_many_attributes_as_the_vertices(impl, rng):
+    """One channel, or three. Or weights are divided by their sum: they are used as they are."""
+    for channels in 1, 4:
+        attributes, b = rng.normal(size=(7, channels)), rng.normal(size=3)
+        expected = b[0] * attributes[5] + b[1] * attributes[1] + b[2] * attributes[3]
+        assert_close(impl.interpolate_pixel(attributes, np.array([5, 1, 3]), b), expected)
+
+
+@exercise("5.9")
+def test_a_pixel_gives_to_its_three_corners(impl):
+    """The weights are left out of grad_attributes, or grad of grad_b. Gradients stand at the first
+    three vertices, or there are three of them alone.
+    """
+    got = impl.interpolate_pixel_backward(np.array([10.0, -30.0]), ATTRIBUTES, *ONE)
+    grad_attributes = np.zeros((6, 2))
+    grad_attributes[[4, 2, 0]] = [[7.0, -21.0], [2.0, -6.0], [1.0, -3.0]]
+    assert_close(got, (grad_attributes, [-200.0, 10.0, 50.0]))
+
+
+@exercise("5.9")
+def test_a_corner_that_comes_twice_gets_both_shares(impl):
+    """The second share overwrites the first, or `+=` with an array of indices adds once."""
+    attributes = np.array([[3.0], [5.0]])
+    grad_attributes, grad_b = impl.interpolate_pixel_backward(
+        np.array([10.0]), attributes, np.array([1, 0, 1]), np.array([0.5, 0.3, 0.2]))
+    assert_close(grad_attributes, [[3.0], [7.0]])
+    assert_close(grad_b, [50.0, 30.0, 50.0])
+
+
+@exercise("5.9")
+def test_the_gradients_of_a_pixel_are_central_differences(impl, rng, gradcheck):
+    """The sum over the channels is a mean, or of the first channel alone."""
+    corners = np.array([2, 0, 4])
+
+    def forward(attributes, b):
+        return sum(b[k] * attributes[vertex] for k, vertex in enumerate(corners))
+
+    def backward(grad, attributes, b):
+        return impl.interpolate_pixel_backward(grad, attributes, corners, b)
+
+    gradcheck(forward, backward, (rng.normal(size=(5, 3)), rng.normal(size=3)),
+              name="interpolate_pixel")
+
+
+# --- whole pictures ----------------------------------------------------------------------------
 
 PICTURE = np.array([[[7.2, 0.5], [-2.8, 3.5], [8.8, -0.7]],
                     [[7.6, 2.5], [0.0, 0.0], [5.8, -0.6]]])
@@ -289,117 +451,34 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
                          [[-48.0, 92.0, 68.0], [0.0, 0.0, 0.0], [-47.0, -26.0, -57.0]]])
 
 
-@exercise("5.8")
+@exercise("5.11")
 def test_a_picture_of_six_pixels(impl):
-    """-1 is used as an index, which draws the last face where no face is seen. A corner is left
-    out, or overwrites the one before. Attributes are read at the number of the face, not at its
-    vertices in faces. i and j, or the corners, are in another order.
+    """A corner is left out, or the corners, or i and j, are in another order. Attributes are read
+    at the number of the face, not at its vertices in faces. Face 0 is taken for none.
     """
-    got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
-    assert_picture(got, PICTURE, atol=1e-12)
+    got = impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
+    seen = FACE_INDEX >= 0
+    assert_close(got[seen], PICTURE[seen])
 
 
-@exercise("5.8")
+@exercise("5.11")
 def test_an_empty_pixel_is_zero(impl):
-    """-1 is taken for a face: NumPy counts it from the end, and draws the last one."""
-    got = impl.interpolate_loop(ATTRIBUTES, FACES, np.full((2, 3), -1), WEIGHTS)
+    """-1 is taken for a face: NumPy counts it from the end, and draws the last one. Or where no
+    pixel sees a face: an error, or another shape.
+    """
+    assert_picture(impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS), PICTURE, atol=1e-12)
+    got = impl.interpolate(ATTRIBUTES, FACES, np.full((2, 3), -1), WEIGHTS)
     assert_picture(got, np.zeros((2, 3, 2)))
 
 
-@exercise("5.8")
-@pytest.mark.parametrize("channels", [1, 4])
+@exercise("5.11")
+@pytest.mark.parametrize("channels", [1, 3, 6])
 def test_any_number_of_attributes(impl, rng, channels):
     """Three channels only, or the weights are mixed with the channels. Or the weights are divided
     by their sum, or clipped: they are used as they are.
     """
     given = buffers(rng, channels)
-    assert_picture(impl.interpolate_loop(*given), mixed(*given), atol=1e-12)
-
-
-@exercise("5.9")
-def test_the_gradients_of_six_pixels(impl):
-    """A vertex that several pixels see keeps one gradient, or the mean: += with an array of indices
-    adds only once. The weights, grad_output or the sum over the channels is left out. -1 is used as
-    an index. A mean is subtracted, as if the weights had to sum to 1.
-    """
-    got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
-    assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
-
-
-@exercise("5.9")
-def test_an_empty_pixel_pulls_at_nothing(impl):
-    """The gradient at the background flows to the last face, as -1 is used as an index."""
-    got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, np.full((2, 3), -1),
-                                         WEIGHTS)
-    assert_close(got, (np.zeros((6, 2)), np.zeros((2, 3, 3))))
-
-
-@exercise("5.9")
-@pytest.mark.parametrize("channels", [1, 4])
-def test_every_channel_adds_to_the_weights(impl, rng, channels):
-    """grad_barycentric is the mean of the channels, or of the first channel alone."""
-    given = rng.normal(size=(7, 5, channels)), *buffers(rng, channels)
-    assert_close(impl.interpolate_backward_loop(*given), unmixed(*given))
-
-
-# --- whole pictures ----------------------------------------------------------------------------
-
-@exercise("5.10")
-def test_the_rows_of_six_pixels(impl):
-    """start lacks its leading 0 or its last number, is not added up, or counts rows instead of
-    three entries each. Entries come corner by corner instead of pixel by pixel. A pixel without a
-    face has entries.
-    """
-    expected = ([0, 3, 6, 9, 12, 12, 15],
-                [0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2],
-                [0.5, 0.3, 0.2,  0.7, 0.2, 0.1,  0.2, 0.5, 0.3,  0.1, 0.6, 0.3,  0.3, 0.6, 0.1])
-    assert_equal(impl.weight_rows(FACES, FACE_INDEX, WEIGHTS), expected)
-
-
-@exercise("5.10")
-def test_the_rows_of_an_empty_picture(impl):
-    """start has one number for each pixel, not one more."""
-    start, vertex, weight = impl.weight_rows(FACES, np.full((2, 3), -1), WEIGHTS)
-    assert_equal(start, np.zeros(7, int))
-    assert_equal((len(vertex), len(weight)), (0, 0))
-
-
-@exercise("5.10")
-def test_the_rows_make_the_matrix(impl, rng):
-    """Pixels are numbered column by column, or entries are in another order than the corners."""
-    _, faces, face_index, weights = buffers(rng, 1)
-    start, vertex, weight = impl.weight_rows(faces, face_index, weights)
-    for row, face in enumerate(face_index.ravel()):
-        entries = slice(start[row], start[row + 1])
-        expected = faces[face] if face >= 0 else np.zeros(0, int)
-        assert_equal(vertex[entries], expected)
-        expected = weights.reshape(-1, 3)[row] if face >= 0 else np.zeros(0)
-        assert_close(weight[entries], expected)
-
-
-@exercise("5.11")
-def test_a_whole_picture_of_six_pixels(impl):
-    """The pixels come out in another order, or the weights. -1 is used as an index, which draws the
-    last face where no face is seen. Or face 0 is taken for none.
-    """
-    assert_picture(impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS), PICTURE, atol=1e-12)
-
-
-@exercise("5.11")
-@pytest.mark.parametrize("channels", [1, 3, 6])
-def test_a_whole_picture_is_that_of_the_definition(impl, rng, channels):
-    """Three channels only, or the weights are divided by their sum, or the last face is drawn
-    where no face is seen.
-    """
-    given = buffers(rng, channels)
     assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
-
-
-@exercise("5.11")
-def test_an_empty_picture(impl):
-    """No pixel sees a face: an error, or another shape."""
-    got = impl.interpolate(ATTRIBUTES, FACES, np.full((2, 3), -1), WEIGHTS)
-    assert_close(got, np.zeros((2, 3, 2)))
 
 
 @exercise("5.11")
@@ -412,26 +491,41 @@ def test_attributes_are_those_of_nvdiffrast(impl, scene):
 
 
 @exercise("5.12")
-def test_the_gradients_of_a_whole_picture_of_six_pixels(impl):
-    """grad[vertex] += ... adds only once for a vertex that several pixels see: np.add.at adds all.
-    The weights are left out. The sum over the channels is a mean, or of one channel. -1 is used as
-    an index, of the last face. The corners are in another order.
+def test_the_weights_gradients_of_six_pixels(impl):
+    """grad_output, or the sum over the channels, is left out, or the corners are in another order.
+    A mean is subtracted, as if the weights had to sum to 1. -1 is used as an index.
     """
     got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
-    assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
+    assert_close(got[1], GRAD_WEIGHTS)
+
+
+@exercise("5.12")
+def test_the_attributes_gradients_of_six_pixels(impl):
+    """A vertex that several pixels see keeps one gradient, or the mean: grad[vertex] += ... adds
+    only once. The weights are left out. -1 is used as an index, of the last face.
+    """
+    got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
+    assert_close(got[0], GRAD_ATTRIBUTES)
+
+
+@exercise("5.12")
+def test_an_empty_pixel_pulls_at_nothing(impl):
+    """The gradient at the background flows to the last face, as -1 is used as an index."""
+    got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, np.full((2, 3), -1), WEIGHTS)
+    assert_close(got, (np.zeros((6, 2)), np.zeros((2, 3, 3))))
 
 
 @exercise("5.12")
 @pytest.mark.parametrize("channels", [1, 3, 6])
-def test_the_gradients_are_those_of_the_definition(impl, rng, channels):
-    """The background's grad_output flows somewhere."""
+def test_every_channel_adds_to_the_weights(impl, rng, channels):
+    """grad_barycentric is the mean of the channels, or of the first channel alone."""
     given = rng.normal(size=(7, 5, channels)), *buffers(rng, channels)
     assert_close(impl.interpolate_backward(*given), unmixed(*given))
 
 
 @exercise("5.12")
 def test_the_gradients_are_central_differences(impl, rng, gradcheck):
-    """B for B^T, or the attributes of another corner."""
+    """The attributes of another corner."""
     gradcheck(mixed, impl.interpolate_backward, buffers(rng, 4), name="interpolate")
 
 
@@ -448,86 +542,47 @@ def test_gradients_are_those_of_nvdiffrast(impl, scene):
 
 # --- footprints --------------------------------------------------------------------------------
 
-# Two of four pixels see a face. Attributes have three channels.
-SEEN = np.array([[1, -1], [-1, 2]])
-COLOURS = np.append(ATTRIBUTES, [[2.0], [5.0], [-4.0], [8.0], [6.0], [95.0]], 1)
-DERIVATIVES = np.full((2, 2, 3, 2), 7.0)
-DERIVATIVES[0, 0] = [[-0.5, 0.3], [0.2, -0.7], [0.3, 0.4]]
-DERIVATIVES[1, 1] = [[0.1, -0.4], [-0.6, 0.3], [0.5, 0.1]]
-
-
 @exercise("5.13")
-def test_the_footprints_of_two_pixels(impl):
-    """dA/dx and dA/dy are exchanged, or both are by x, or one has the wrong sign. x and y are not
-    the last axis but stand before the channels (J is transposed), or a reshape mixes them. Corner 2
-    is left out. -1 is used as an index.
+def test_the_weights_change_by_the_quotient_rule(impl):
+    """s is taken for constant, or de is not divided by w, or by the wrong one. x and y are
+    exchanged, one of them has the wrong sign, or they are not the last axis.
     """
-    expected = np.zeros((2, 2, 3, 2))
-    expected[0, 0] = [[0.6, 6.6], [-2.2, 1.9], [5.4, -1.5]]
-    expected[1, 1] = [[-2.8, 7.0], [-0.9, -0.6], [4.0, -3.4]]
-    assert_close(impl.interpolate_derivatives(COLOURS, FACES, SEEN, DERIVATIVES), expected)
+    # With w = 1, 2, 4, c is 8 - j - i, j / 2, i / 4, and s = 4 where i = 2 and j = 5.
+    clip = one_face(np.array([1.0, 2.0, 4.0]), 8, 5)
+    db = impl.barycentrics_derivatives(SOME, clip, np.array([[0, 1, 2]]))
+    assert_close(db[2, 5], np.array([[-56.0, -52.0], [52.0, 30.0], [4.0, 22.0]]) / 256)
 
 
 @exercise("5.13")
-@pytest.mark.parametrize("channels", [1, 2, 5])
-def test_derivatives_are_mixed_as_the_weights_are(impl, rng, channels):
-    """Attributes and directions are taken for each other where both are two."""
-    given = buffers(rng, channels, trailing=(2,))
-    assert_close(impl.interpolate_derivatives(*given), mixed(*given))
+def test_the_changes_of_the_weights_sum_to_zero(impl, rng):
+    """The sum of the weights is 1, everywhere. Or the term of s has the wrong sign, or no b."""
+    face_index, clip, faces, _ = faces_in_sight(rng)
+    db = impl.barycentrics_derivatives(face_index, clip, faces)
+    assert_equal(db.shape, (5, 7, 3, 2))
+    assert_equal(db[face_index < 0], np.zeros(((face_index < 0).sum(), 3, 2)))
+    assert_close(db.sum(2), np.zeros((5, 7, 2)))
+    assert (np.abs(db[face_index >= 0]).max((1, 2)) > 1e-3).all(), "all are 0"
 
 
 @exercise("5.13")
-@each_golden
-def test_derivatives_are_those_of_nvdiffrast(impl, scene):
-    """dA/dx, dA/dy of some of the attributes."""
-    of = golden(scene)
-    got = impl.interpolate_derivatives(of["attributes"][:, of["chosen"]], of["faces"],
-                                       of["face_index"], of["all_derivatives"])
-    assert_close(got, of["output_derivatives"], of["given"], rtol=0, atol=2e-6)
-
-
-@exercise("5.14")
-def test_the_gradients_of_two_footprints(impl):
-    """grad_attributes has only the part of x, that of y is left out: it is the sum of both, no
-    mean. x and y are exchanged in one of the gradients, or only x is used, or they are not its last
-    axis. -1 is used as an index.
+def test_the_derivatives_are_central_differences(impl, rng):
+    """Right only without perspective, or for one face. The steps are not of a pixel, as for a
+    derivative by ndc.
     """
-    grad_output = np.full((2, 2, 3, 2), 9.0)
-    grad_output[0, 0] = [[2.0, 4.0], [8.0, -1.0], [3.0, 6.0]]
-    grad_output[1, 1] = [[1.0, -2.0], [-3.0, 6.0], [4.0, 2.0]]
-    grad_attributes = [[0.3, -0.9, 2.2], [-2.4, 2.3, -3.6], [-1.0, -0.7, -1.5],
-                       [2.2, 2.0, 3.3], [0.9, -2.7, -0.4], [0.0, 0.0, 0.0]]
-    grad_derivatives = np.zeros((2, 2, 3, 2))
-    grad_derivatives[0, 0] = [[32.0, 13.0], [7.0, 48.0], [48.0, 113.0]]
-    grad_derivatives[1, 1] = [[4.0, 52.0], [-15.0, -10.0], [13.0, -6.0]]
-    got = impl.interpolate_derivatives_backward(grad_output, COLOURS, FACES, SEEN, DERIVATIVES)
-    assert_close(got, (grad_attributes, grad_derivatives))
+    check_differences(impl, *faces_in_sight(rng))
 
 
-@exercise("5.14")
-@pytest.mark.parametrize("channels", [1, 2, 5])
-def test_the_gradients_of_footprints_are_those_of_the_definition(impl, rng, channels):
-    """Attributes and directions are taken for each other, or the background pulls."""
-    given = rng.normal(size=(7, 5, channels, 2)), *buffers(rng, channels, trailing=(2,))
-    assert_close(impl.interpolate_derivatives_backward(*given), unmixed(*given))
+@exercise("5.13", fine_print=True)
+def test_the_derivatives_are_right_behind_the_camera(impl, rng):
+    """|w| divides."""
+    check_differences(impl, *faces_in_sight(rng, (1, 1, -1)))
 
 
-@exercise("5.14")
-def test_the_gradients_of_footprints_are_central_differences(impl, rng, gradcheck):
-    """A mean for a sum, or a sign."""
-    gradcheck(mixed, impl.interpolate_derivatives_backward, buffers(rng, 3, trailing=(2,)),
-              name="interpolate_derivatives")
-
-
-@exercise("5.14")
-@each_golden
-def test_gradients_of_derivatives_are_those_of_nvdiffrast(impl, scene):
-    """What nvdiffrast adds where the derivatives have a gradient, too."""
-    of = golden(scene)
-    chosen = of["chosen"]
-    grad_attributes, grad_derivatives = impl.interpolate_derivatives_backward(
-        of["grad_output_derivatives"], of["attributes"][:, chosen], of["faces"], of["face_index"],
-        of["all_derivatives"])
-    added = of["grad_attributes_both"] - of["grad_attributes"]
-    assert_close(grad_attributes, added[:, chosen], of["given"], rtol=0, atol=3e-5)
-    assert_close(by_uv(grad_derivatives), of["grad_derivatives"], of["given"], rtol=0, atol=3e-6)
+def check_differences(impl, face_index, clip, faces, seen, h=1e-5):
+    """db/dx and db/dy at each pixel are differences of the weights of rays beside its centre."""
+    db = impl.barycentrics_derivatives(face_index, clip, faces)
+    for i, j, corners in seen:
+        steps = [[ray_weights(*corners, j + 0.5 + sign * dx, i + 0.5 + sign * dy)
+                  for sign in (1, -1)] for dx, dy in ((h, 0), (0, h))]
+        expected = np.stack([(after - before) / (2 * h) for after, before in steps], -1)
+        assert_close(db[i, j], expected, rtol=1e-5, atol=1e-5 * np.abs(expected).max())

@@ -2,7 +2,6 @@
 from fractions import Fraction
 
 import numpy as np
-import pytest
 
 from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
@@ -559,96 +558,6 @@ def test_clip_space_has_no_unit(impl):
     face_index, _ = impl.rasterize(clip, np.array([[0, 1, 2]]), 4, 3)
     seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
     assert_picture(face_index, np.where(seen, 0, -1))
-
-
-# --- where on the face -------------------------------------------------------------------------
-
-def ray_weights(x, y, w, px, py):
-    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
-    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
-    return c / c.sum()
-
-
-def exact_weights(x, y, w, px, py):
-    """Eq. (5) without rounding: x, y, w, px, py are fractions."""
-    x, y = [k - px for k in x], [k - py for k in y]
-    c = [(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1)))]
-    return [float(k / sum(c)) for k in c]
-
-
-@exercise("2.16")
-def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
-    """Nothing is divided by w: these are the picture's weights, without perspective. Or it is
-    multiplied by w, or divided by another corner's. It is not divided by the sum s, or by that of e
-    alone, or s is over the samples.
-    """
-    # The triangle (0, 0), (8, 0), (0, 8), moved, with w = 1, 2, 4: c is 8 - x - y, x / 2, y / 4.
-    px, py = np.array([[5.0, 2.0, 2.0, 6.0], [2.0, 4.0, 1.0, 0.0]])
-    x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 2.0, 4.0]])[..., None] * np.ones(4)
-    moved = np.array([0.0, 10.0, -3.0, 5.0])
-    b = impl.barycentric_on_face(px + moved, py - moved, x + moved, y - moved, w)
-    assert_close(b, [[0.25, 0.5, 0.8, 0.4], [0.625, 0.25, 0.16, 0.6], [0.125, 0.25, 0.04, 0.0]])
-
-
-@exercise("2.16")
-def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
-    """Right for positive w, and wrong behind the camera: |w| divides, or weights are made positive.
-    Or small triangles are taken for none.
-    """
-    size = 10.0 ** rng.integers(-5, 2, 40)
-    x, y = size * rng.uniform(0, 8, (2, 3, 40))
-    w = rng.uniform(0.5, 2, (3, 40)) * rng.choice([1, 1, -1], (3, 40))
-    px, py = size * rng.uniform(0, 8, (2, 40))
-    expected = [ray_weights(x[:, n], y[:, n], w[:, n], px[n], py[n]) for n in range(40)]
-    b = impl.barycentric_on_face(px, py, x, y, w)
-    assert_close(b, np.transpose(expected), rtol=1e-6, atol=1e-9)
-
-
-@exercise("2.16")
-def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
-    """`edge_function` measures from a corner, and its rounding error is as large as the corner is
-    far away. Measure from the sample, as the given `edge_functions_at` does.
-    """
-    x, y, w = np.array([[3.1, -1.1e12, 5.3], [1.2, 0.7e12, 7.7], [1.0, 1.3e-12, 3.0]])[..., None]
-    px, py = np.array([0.5, 1.5, 2.5]), np.array([6.5, 3.5, 3.5])
-    corners = [[Fraction(float(number)) for number in row[:, 0]] for row in (x, y, w)]
-    expected = [exact_weights(*corners, Fraction(px[n]), Fraction(py[n])) for n in range(3)]
-    b = impl.barycentric_on_face(px, py, *(np.tile(row, 3) for row in (x, y, w)))
-    assert_close(b, np.transpose(expected), rtol=1e-6)
-
-
-@exercise("2.17")
-def test_weights_change_by_the_quotient_rule_on_paper(impl):
-    """The second term, - b ds, is missing (s as a constant), added instead of subtracted, without
-    b, or ds is not the sum of dc. It is not divided by s, or by s^2, or multiplied by s.
-    """
-    b, s = np.array([[0.25, 0.5], [0.25, 0.125], [0.5, 0.375]]), np.array([4.0, 2.0])
-    db = impl.normalize_derivative(np.array([[10.0, -3.0], [0.0, 4.0], [6.0, 7.0]]), b, s)
-    assert_close(db, [[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]])
-
-
-@exercise("2.17")
-def test_a_change_of_any_size_counts_alike(impl):
-    """A finite difference in the place of eq. (6), which is linear in dc: a large step leaves the
-    tangent, and a small one is lost in rounding.
-    """
-    b, s = np.array([0.25, 0.25, 0.5]), np.array(4.0)
-    for size in 1e9, 1e-9:
-        db = impl.normalize_derivative(size * np.array([10.0, 0.0, 6.0]), b, s)
-        assert_close(db / size, [1.5, -1.0, -0.5])
-
-
-@exercise("2.17")
-@pytest.mark.parametrize("axis", [0, -1])
-def test_the_change_is_that_of_b(impl, rng, axis):
-    """The sum is taken over the samples, not over the three weights: axis says where these are. Or
-    axis is ignored.
-    """
-    c, dc = rng.uniform(0.5, 2, (2, 3, 7)) if axis == 0 else rng.uniform(0.5, 2, (2, 5, 2, 3))
-    s = c.sum(axis, keepdims=True)
-    moved = c + 1e-20j * dc  # a complex step: its difference loses no digits
-    expected = (moved / moved.sum(axis, keepdims=True)).imag / 1e-20
-    assert_close(impl.normalize_derivative(dc, c / s, s[0] if axis == 0 else s, axis), expected)
 
 
 # --- the way back -------------------------------------------------------------------------------

@@ -1,5 +1,7 @@
-"""Lab 5 once more: Jacobians written out, loops, and one gather for all pixels."""
+"""Lab 5 once more: Jacobians written out, linear systems for the rays, loops over the pixels."""
 import numpy as np
+
+from reference.rasterization import screen_points
 
 
 def barycentric_from_screen(e, w):
@@ -7,14 +9,54 @@ def barycentric_from_screen(e, w):
     return n / np.sum(n, -1)[..., None]
 
 
+def normalize_derivative(dc, b, s, axis=0):
+    # A matrix for each sample: db_k / dc_j = ((j == k) - b_k) / s.
+    jacobian = np.eye(3) - np.moveaxis(b, axis, -1)[..., None]
+    db = np.einsum("...kj,...j->...k", jacobian, np.moveaxis(dc, axis, -1))
+    return np.moveaxis(db, -1, axis) / s
+
+
 def normalize_backward(grad_b, b, s, axis=0):
-    # A matrix for each sample: db_k / dn_j = ((j == k) - b_k) / s.
     grad_b, b = np.moveaxis(grad_b, axis, -1), np.moveaxis(b, axis, -1)
     jacobian = np.eye(3) - b[..., None]
     return np.moveaxis(np.einsum("...k,...kj->...j", grad_b, jacobian), -1, axis) / s
 
 
-def interpolate_loop(attributes, faces, face_index, barycentric):
+def interpolate_pixel(attributes, corners, b):
+    weights = (np.arange(len(attributes)) == corners[:, None]).T @ b
+    return weights @ attributes
+
+
+def interpolate_pixel_backward(grad, attributes, corners, b):
+    weights = (np.arange(len(attributes)) == corners[:, None]).T @ b
+    return np.outer(weights, grad), np.array([grad @ attributes[vertex] for vertex in corners])
+
+
+def matrices(face_index, clip, faces):
+    """Yield i, j, the inverse of M = w (x, y, 1), a column for each corner."""
+    x, y, w = screen_points(clip, *face_index.shape[::-1])
+    for i, j in np.argwhere(face_index >= 0):
+        corners = faces[face_index[i, j]]
+        m = w[corners] * np.stack([x[corners] - j - 0.5, y[corners] - i - 0.5, np.ones(3)])
+        yield i, j, np.linalg.inv(m)  # measured from the pixel, which is at 0, 0
+
+
+def barycentrics(face_index, clip, faces):
+    barycentric = np.zeros((*face_index.shape, 3))
+    for i, j, inverse in matrices(face_index, clip, faces):
+        barycentric[i, j] = inverse[:, 2] / inverse[:, 2].sum()
+    return barycentric
+
+
+def barycentrics_derivatives(face_index, clip, faces):
+    derivatives = np.zeros((*face_index.shape, 3, 2))
+    for i, j, inverse in matrices(face_index, clip, faces):
+        c, dc = inverse[:, 2], inverse[:, :2]
+        derivatives[i, j] = (dc * c.sum() - np.outer(c, dc.sum(0))) / c.sum()**2
+    return derivatives
+
+
+def interpolate(attributes, faces, face_index, barycentric):
     height, width = face_index.shape
     rows = []
     for i in range(height):
@@ -25,7 +67,7 @@ def interpolate_loop(attributes, faces, face_index, barycentric):
     return np.reshape(rows, (height, width, attributes.shape[1]))
 
 
-def interpolate_backward_loop(grad_output, attributes, faces, face_index, barycentric):
+def interpolate_backward(grad_output, attributes, faces, face_index, barycentric):
     grad_attributes, grad_barycentric = np.zeros(attributes.shape), np.zeros(barycentric.shape)
     for i, j in np.argwhere(face_index >= 0):
         corners = faces[face_index[i, j]]
@@ -34,12 +76,3 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index, baryce
                                for vertex, share in zip(corners, shares, strict=True))
         grad_barycentric[i, j] = attributes[corners] @ grad_output[i, j]
     return grad_attributes, grad_barycentric
-
-
-def interpolate_derivatives(attributes, faces, face_index, derivatives):
-    height, width = face_index.shape
-    footprint = np.zeros((height, width, attributes.shape[1], 2))
-    for i, j in np.ndindex(height, width):
-        if face_index[i, j] >= 0:
-            footprint[i, j] = attributes[faces[face_index[i, j]]].T @ derivatives[i, j]
-    return footprint

@@ -5,8 +5,9 @@ from screen_scenes import camera
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from labkit.checks import assert_equal
+from labkit.checks import assert_close, assert_equal
 from reference import interpolation, rasterization, transforms
+from tests.labs.test_interpolation import buffers, by_uv, each_golden, golden, mixed
 
 
 def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
@@ -33,25 +34,12 @@ def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
     positions, faces, clip, eye, clip_from_world = floor(width, height, eye)
     assert (clip[:, 3] < 0).any() == (eye[2] < 1)
     face_index, _ = rasterization.rasterize(clip, faces, width, height)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
+    barycentric = interpolation.barycentrics(face_index, clip, faces)
     got = interpolation.interpolate(positions, faces, face_index, barycentric)
     i, j = np.nonzero(face_index >= 0)
     expected = on_the_floor(j + 0.5, i + 0.5, eye, clip_from_world, width, height)
     assert len(i) > 300
     np.testing.assert_allclose(got[i, j], expected, rtol=0, atol=1e-12)
-
-
-def test_the_derivatives_are_the_rasterizers():
-    """Eq. (4) of the edge functions' normals is not lab 2's db/dx, db/dy."""
-    rng = np.random.default_rng(4)
-    px, py, x, y, w = *rng.uniform(0, 8, (2, 20)), *rng.uniform(1, 8, (3, 3, 20))
-    e = np.stack([(y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])
-                  for i, j in rasterization.EDGES], -1)
-    de = np.stack([[y[i] - y[j], x[j] - x[i]] for i, j in rasterization.EDGES]).transpose(2, 0, 1)
-    got = interpolation.barycentric_from_screen_derivatives(de, e, w.T)
-    expected = np.stack(rasterization.barycentric_derivatives(px, py, x, y, w)).T
-    scale = np.abs(expected).max((1, 2), keepdims=True)
-    np.testing.assert_allclose(got / scale, expected / scale, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("row", [-1, 4, 10**8])
@@ -78,14 +66,22 @@ def test_the_ends_are_met_to_the_bit(impl):
     assert_equal(impl.lerp(a, b, 1.0), b)
 
 
-def test_gradients_of_corrected_weights_are_central_differences(impl, rng):
-    """The sum's part is missing. w is not squared in grad_w, or has the wrong sign. e and w are
-    taken for each other, or sums run over the wrong axis.
-    """
-    def forward(e, w):
-        return np.stack([e[..., k] / w[..., k] / (e / w).sum(-1) for k in range(3)], -1)
+@each_golden
+def test_derivatives_are_those_of_nvdiffrast(scene):
+    """dA/dx and dA/dy are exchanged or mixed with the channels, or only one of them goes back."""
+    of = golden(scene)
+    chosen = of["chosen"]
+    given = of["attributes"][:, chosen], of["faces"], of["face_index"], of["all_derivatives"]
+    got = interpolation.interpolate_derivatives(*given)
+    assert_close(got, of["output_derivatives"], of["given"], rtol=0, atol=2e-6)
+    grad_attributes, grad_derivatives = interpolation.interpolate_derivatives_backward(
+        of["grad_output_derivatives"], *given)
+    added = of["grad_attributes_both"] - of["grad_attributes"]
+    assert_close(grad_attributes, added[:, chosen], of["given"], rtol=0, atol=3e-5)
+    assert_close(by_uv(grad_derivatives), of["grad_derivatives"], of["given"], rtol=0, atol=3e-6)
 
-    inputs = rng.uniform(0.2, 1, (2, 4, 3)), rng.uniform(0.5, 3, (2, 4, 3))
-    gradcheck(forward, impl.barycentric_from_screen_backward, inputs, name="barycentric")
-    inputs = -inputs[0], inputs[1] * [1, 1, 9]
-    gradcheck(forward, impl.barycentric_from_screen_backward, inputs, name="barycentric")
+
+def test_gradients_of_footprints_are_central_differences(rng):
+    """A mean for a sum, or a sign; the background pulls."""
+    gradcheck(mixed, interpolation.interpolate_derivatives_backward, buffers(rng, 3, (2,)),
+              name="interpolate_derivatives")

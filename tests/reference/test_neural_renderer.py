@@ -6,7 +6,7 @@ from loose_faces import CAMERA, some_corners
 from course.given import arrays, mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_equal
-from reference import neural_renderer, rasterization, scanline, transforms
+from reference import interpolation, neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
@@ -45,7 +45,7 @@ def test_the_picture_is_that_of_lab_2():
     np.testing.assert_array_equal(face_index >= 0, seen)
     same = (faces[face_index[seen]] == front[expected[seen]]).all(1)
     assert same.mean() > 0.999  # two faces at equal depth
-    b = rasterization.barycentrics(expected, clip, front)[seen][same]
+    b = interpolation.barycentrics(expected, clip, front)[seen][same]
     w_there = (b * clip[front[expected[seen][same]], 3]).sum(1)
     np.testing.assert_allclose(depth[seen][same], w_there, rtol=1e-9)
     right = weight[seen][same] * depth[seen][same][:, None]

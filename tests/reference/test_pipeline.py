@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import mipmapping, outlines, pipeline, rasterization, transforms
+from reference import interpolation, mipmapping, outlines, pipeline, rasterization, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -142,7 +142,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter_mode
         return grads.positions, grads.material.uv, grads.material.image, grads.clip_from_model
 
     def decisions(buffers, positions, uv, *_):
-        derivatives = rasterization.barycentrics_derivatives(buffers.face_index, buffers.clip,
+        derivatives = interpolation.barycentrics_derivatives(buffers.face_index, buffers.clip,
                                                              shape.faces)
         at, footprint = pipeline.footprints(uv, uv_faces, buffers, derivatives)
         level = np.where("mipmap" in filter_mode, mipmapping.mip_level(footprint, 8, 16), 0)

@@ -1,4 +1,4 @@
-"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one. Place on the face."""
+"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one."""
 from pathlib import Path
 
 import numpy as np
@@ -6,7 +6,6 @@ import pytest
 
 from labkit.checks import assert_close
 from reference import rasterization
-from tests.labs.test_rasterization import ray_weights
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -20,24 +19,6 @@ def test_the_textbooks_picture_is_that_of_nvdiffrast(scene):
     np.testing.assert_array_equal(face_index, expected)
     seen = expected >= 0
     np.testing.assert_allclose(depth[seen], GOLDEN[f"{scene}/depth"][seen], rtol=0, atol=2e-5)
-
-
-def test_the_derivatives_are_central_differences(rng):
-    """The quotient rule's second term, - b ds, is missing: right only without perspective. db/dx
-    and db/dy are swapped, or are given per picture instead of per pixel.
-    """
-    h = 1e-5
-    x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
-    w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
-    px, py = x.mean(0), y.mean(0)
-    db_dx, db_dy = rasterization.barycentric_derivatives(px, py, x, y, w)
-    for n in range(20):
-        corners, p, q = (x[:, n], y[:, n], w[:, n]), px[n], py[n]
-        by_x = (ray_weights(*corners, p + h, q) - ray_weights(*corners, p - h, q)) / (2 * h)
-        by_y = (ray_weights(*corners, p, q + h) - ray_weights(*corners, p, q - h)) / (2 * h)
-        largest = np.abs([by_x, by_y]).max()
-        assert_close(db_dx[:, n], by_x, rtol=1e-5, atol=1e-5 * largest)
-        assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)
 
 
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):

@@ -10,7 +10,7 @@ from half_planes import half_plane_loop
 from screen_scenes import on_screen
 
 from course.given import arrays, mesh
-from reference import rasterization, scanline, transforms
+from reference import interpolation, rasterization, scanline, transforms
 from tests.labs import test_rasterization as lab_2
 
 GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")
@@ -32,9 +32,9 @@ def test_pictures_are_those_of_nvdiffrast(scene):
     np.testing.assert_array_equal(face_index, expected)
     seen = expected >= 0
     np.testing.assert_allclose(got_depth[seen], depth[seen], rtol=0, atol=2e-5)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
+    barycentric = interpolation.barycentrics(face_index, clip, faces)
     np.testing.assert_allclose(barycentric[..., :2], uv, rtol=0, atol=1e-4)
-    got = rasterization.barycentrics_derivatives(face_index, clip, faces)[:, :, :2]
+    got = interpolation.barycentrics_derivatives(face_index, clip, faces)[:, :, :2]
     np.testing.assert_allclose(got, derivatives, rtol=0, atol=3e-5 * np.abs(derivatives).max())
 
 
@@ -139,7 +139,7 @@ def test_the_order_of_corners_changes_nothing(near, unit):
         faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
         face_index, depth = scanline.rasterize(clip, faces, 64, 64)
         np.testing.assert_array_equal(face_index >= 0, expected)
-        barycentric = rasterization.barycentrics(face_index, clip, faces)
+        barycentric = interpolation.barycentrics(face_index, clip, faces)
         corners = clip[faces[face_index[expected]]]
         at = (barycentric[expected][..., None] * corners).sum(1)
         # the point on the face projects back to its pixel and its depth

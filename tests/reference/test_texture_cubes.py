@@ -6,7 +6,7 @@ from screen_scenes import camera
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import interpolation, neural_renderer, pipeline, rasterization, texture_cubes
+from reference import interpolation, neural_renderer, pipeline, texture_cubes
 from reference.sweep_gradient import sweep_backward
 
 WIDTH, HEIGHT = 23, 17
@@ -36,7 +36,7 @@ def test_a_linear_picture_comes_back_in_perspective():
         maps = neural_renderer.rasterize(corners, 32, 24)
         got = texture_cubes.shade_cubes(maps, corners, textures, np.ones((2, 2)), np.zeros(2))
         face_index = maps.face_index
-        barycentric = rasterization.barycentrics(face_index, clip, faces)
+        barycentric = interpolation.barycentrics(face_index, clip, faces)
         expected = interpolation.interpolate(uv, faces, face_index, barycentric)
         assert (face_index >= 0).sum() > 200
         np.testing.assert_allclose(got, expected, atol=1e-9)

@@ -3,7 +3,6 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from scipy.sparse import sparray
 
 from .. import tensors
 from ..tensors import INTEGERS, array, require, tensor
@@ -36,13 +35,12 @@ def chosen_of(diff_attrs, count):
 
 
 class Look(NamedTuple):
-    """Pictures (H, W) of one array of attributes: which face a pixel sees, and its matrices.
-
-    They take attributes to pixels, lab 5's eq. (7): B and, for derivatives, B_x and B_y.
+    """Pictures (H, W) of one array of attributes: which face a pixel sees, and how it mixes the
+    corners' attributes: weights (H, W, 3) of the values and, for derivatives, those of x and y.
     """
 
     face_index: np.ndarray
-    matrices: list[sparray]
+    weights: list[np.ndarray]
 
 
 def looks(attr, rast, tri, rast_db):
@@ -61,8 +59,7 @@ def looks(attr, rast, tri, rast_db):
         weights = [corner_weights(pixel[..., :2], 1)]
         if len(changes):
             weights += [corner_weights(changes[k, ..., axis], 0) for axis in (0, 1)]
-        yield Look(face_index, [tensors.labs.interpolation.interpolation_matrix(
-            attr.shape[-2], faces, face_index, weight) for weight in weights])
+        yield Look(face_index, weights)
 
 
 def corner_weights(uv, total):
@@ -74,15 +71,19 @@ def corner_weights(uv, total):
 
 
 class Interpolate(torch.autograd.Function):
-    """Lab 5: the matrices of a Look, and their transposes on the way back."""
+    """Lab 5: `interpolate` with each of a Look's weights, and `interpolate_backward`."""
 
     @staticmethod
     def forward(ctx, attr, rast, tri, rast_db, chosen):
         values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
         values = values.reshape(-1, *values.shape[-2:])
         ctx.looks = list(looks(attr, rast, tri, rast_db))
-        out = [look.matrices[0] @ value for look, value in zip(ctx.looks, values, strict=True)]
-        out_da = [np.stack([matrix @ value[:, chosen] for matrix in look.matrices[1:]], -1)
+        faces = array("tri", tri, "f 3", INTEGERS)
+        mix = tensors.labs.interpolation.interpolate
+        out = [mix(value, faces, look.face_index, look.weights[0])
+               for look, value in zip(ctx.looks, values, strict=True)]
+        out_da = [np.stack([mix(value[:, chosen], faces, look.face_index, weights)
+                            for weights in look.weights[1:]], -1)
                   for look, value in zip(ctx.looks, values, strict=True) if len(chosen)]
         ctx.save_for_backward(attr, rast, tri)
         ctx.values, ctx.chosen = values, chosen
@@ -100,13 +101,10 @@ class Interpolate(torch.autograd.Function):
         grad_weights = np.zeros((3, *np.shape([look.face_index for look in ctx.looks]), 3))
         for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
             for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
-                if ctx.needs_input_grad[0]:
-                    by_corner = look.matrices[n].T @ grads[k]
-                    np.add.at(grad_values[k], (slice(None), columns), by_corner)
-                if any(ctx.needs_input_grad[1:4]):
-                    grad = grads[k].reshape(*look.face_index.shape, -1)
-                    grad_weights[n, k] = tensors.labs.interpolation.barycentric_gradient(
-                        grad, value[:, columns], faces, look.face_index)
+                by_corner, grad_weights[n, k] = tensors.labs.interpolation.interpolate_backward(
+                    grads[k].reshape(*look.face_index.shape, -1), value[:, columns], faces,
+                    look.face_index, look.weights[n])
+                np.add.at(grad_values[k], (slice(None), columns), by_corner)
         grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
         grad_rast = torch.zeros_like(rast)
         grad_rast[..., :2] = tensor(grad_uv[0], rast, (*rast.shape[:3], 2))

@@ -108,7 +108,7 @@ class Rasterize(torch.autograd.Function):
             rast[n, ..., :2] = seen.barycentric[..., :2]
             rast[n, ..., 2][is_seen] = seen.depth[is_seen]
             rast[n, ..., 3][is_seen] = coded(seen.face_index[is_seen] + (first + 1), rast.dtype)
-            derivatives = tensors.labs.rasterization.barycentrics_derivatives(
+            derivatives = tensors.labs.interpolation.barycentrics_derivatives(
                 seen.face_index, seen.clip, faces)
             rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
             if depths is not None:
@@ -145,7 +145,7 @@ def visible(clip, faces, screen, beyond):
     if beyond is None:
         return labs.pipeline.visible(clip, faces, *size)
     face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
-    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    barycentric = labs.interpolation.barycentrics(face_index, clip, faces)
     return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
 
 

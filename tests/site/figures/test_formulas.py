@@ -132,7 +132,7 @@ def test_perspective(call, agrees):
     corners = rng.normal(size=(3, 2))
     faces, seen = np.array([[0, 1, 2]]), np.zeros((1, 200), int)
     agrees("perspective", "interpolate",
-           interpolation.interpolate_loop(corners, faces, seen, b[None])[0], b, [corners] * 200)
+           interpolation.interpolate(corners, faces, seen, b[None])[0], b, [corners] * 200)
     pixels = rng.uniform([100, 40], [220, 100], (100, 2)).tolist()
     there = [(p, one["right"]["uv"]) for p, one in
              zip(pixels, call("perspective", "seenAt", pixels, 50), strict=True) if one]
@@ -188,7 +188,7 @@ def test_rubber_sheet(call, agrees):
         np.stack(each(vertex_gradients.vertex_matrix, triangles), -1))
     agrees("rubber_sheet", "edgeNormals", np.moveaxis(normals, -1, 0), triangles)
     agrees("rubber_sheet", "edgeFunctionsAt",
-           rasterization.edge_functions_at(*points[:, 0].T, *triangles.T).T,
+           interpolation.edge_functions_at(*points[:, 0].T, *triangles.T).T,
            points[:, 0], triangles)
     values, triangles, points = rng.uniform(size=(58, 3)), triangles[2:], points[2:]
     by_values, by_triangle = call("rubber_sheet", "residualsJacobian", values, triangles, points)
