@@ -7,7 +7,8 @@ import zipfile
 from labkit import exercises, places
 
 FOLDER = places.ROOT / "tests" / "other_solutions"
-CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
+CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic)
+                if exercise.points and not exercise.is_extra]
         for topic in exercises.asking_topics()}
 
 

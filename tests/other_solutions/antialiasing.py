@@ -40,11 +40,6 @@ def silhouette_edges(x, y, w, faces, opposite):
     return silhouette
 
 
-def crossing(x0, y0, x1, y1):
-    # A mean of both ends, each with a weight of its own that is right to the last digits.
-    return x0 * (y1 / (y1 - y0)) - x1 * (y0 / (y1 - y0))
-
-
 def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
     def by_first(x0, y0, x1, y1):
         height = y1 - y0
@@ -53,29 +48,6 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
         return grad_c * y1 / height, grad_c * (c - x1) / height
 
     return (*by_first(x0, y0, x1, y1), *by_first(x1, y1, x0, y0))
-
-
-def pair_frame(screen_x, screen_y, owner, other, width):
-    # Along the pair, and in the direction of the picture's other axis.
-    points = np.stack([screen_x - owner % width, screen_y - owner // width], -1) - 0.5
-    along = np.stack([other % width - owner % width, other // width - owner // width], -1)
-    return (points * along).sum(-1), (points * np.abs(along[:, ::-1])).sum(-1)
-
-
-def last_crossing(x, y, w):
-    # In space, where each corner is w times (x, y, 1): column by column.
-    found = []
-    for corners in np.moveaxis([w * x, w * y, w], -1, 0):
-        best = (-np.inf, 0)
-        for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-            p, q = corners[:, i], corners[:, j]
-            if (p[1] < 0) != (q[1] < 0):
-                at = p * q[1] - q * p[1]
-                if at[2] * (q[1] - p[1]) > 0:
-                    best = max(best, (at[0] / at[2], -k))
-        found.append((-best[1], best[0]))
-    edge, c = zip(*found, strict=True) if found else ((), ())
-    return np.array(edge, int), np.array(c, float)
 
 
 def blend_pairs(colour, pairs):

@@ -4,34 +4,6 @@ import numpy as np
 from reference.rasterization import screen_points
 
 
-def barycentric_from_screen(e, w):
-    n = e * np.roll(w, 1, -1) * np.roll(w, 2, -1)
-    return n / np.sum(n, -1)[..., None]
-
-
-def normalize_derivative(dc, b, s, axis=0):
-    # A matrix for each sample: db_k / dc_j = ((j == k) - b_k) / s.
-    jacobian = np.eye(3) - np.moveaxis(b, axis, -1)[..., None]
-    db = np.einsum("...kj,...j->...k", jacobian, np.moveaxis(dc, axis, -1))
-    return np.moveaxis(db, -1, axis) / s
-
-
-def normalize_backward(grad_b, b, s, axis=0):
-    grad_b, b = np.moveaxis(grad_b, axis, -1), np.moveaxis(b, axis, -1)
-    jacobian = np.eye(3) - b[..., None]
-    return np.moveaxis(np.einsum("...k,...kj->...j", grad_b, jacobian), -1, axis) / s
-
-
-def interpolate_pixel(attributes, corners, b):
-    weights = (np.arange(len(attributes)) == corners[:, None]).T @ b
-    return weights @ attributes
-
-
-def interpolate_pixel_backward(grad, attributes, corners, b):
-    weights = (np.arange(len(attributes)) == corners[:, None]).T @ b
-    return np.outer(weights, grad), np.array([grad @ attributes[vertex] for vertex in corners])
-
-
 def matrices(face_index, clip, faces):
     """Yield i, j, the inverse of M = w (x, y, 1), a column for each corner."""
     x, y, w = screen_points(clip, *face_index.shape[::-1])

@@ -4,11 +4,6 @@ import numpy as np
 from course.given.arrays import EDGES
 
 
-def edge_functions_at_backward(grad_e, x, y):
-    # Of one pixel e is the cross product of its three x and its three y.
-    return np.cross(y, grad_e, axis=0), np.cross(grad_e, x, axis=0)
-
-
 def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0):
     # Pixel by pixel, not measured from there but with a = (X, Y, 1).
     grad_clip, (height, width) = np.zeros(np.shape(clip)), np.shape(face_index)

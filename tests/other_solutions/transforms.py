@@ -23,16 +23,6 @@ def look_at(eye, target, up):
     return np.array([[*row, -(row @ eye)] for row in rows] + [[0, 0, 0, 1]])
 
 
-def pinhole(f):
-    return np.vstack([f * np.eye(3, 4), [0, 0, 1, 0]])
-
-
-def frustum_sides(fov_y, aspect, near):
-    cosine = math.cos(fov_y)
-    t = near * math.sqrt((1 - cosine) / (1 + cosine))
-    return np.array([-aspect, aspect, -1, 1]) * t
-
-
 def perspective(fov_y, aspect, near, far):
     # Along z: A z + B is -near at z = -near, and far at z = -far.
     slope, offset = np.linalg.solve([[-near, 1], [-far, 1]], [-near, far])
