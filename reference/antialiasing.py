@@ -168,10 +168,9 @@ def last_crossing(x, y, w):  # step 8.9
     >>> last_crossing(x, y, np.ones((3, 1)))
     (array([0]), array([2.]))
 
-    Fine print. The first of equal crossings counts. Without any, the answer is edge 0 with
-    c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0) comes out mirrored, so
-    compare s y with 0, where s is the sign of w. The crossing lies in front of the camera if
-    s_i |y_j| + s_j |y_i| > 0, for ends i and j.
+    Fine print. The first of equal crossings counts. Without any, it is edge 0 with c = -np.inf.
+    Nothing is divided by 0. A corner behind the camera (w < 0) is mirrored: compare s y with 0,
+    s the sign of w. A crossing is in front of the camera if s_i |y_j| + s_j |y_i| > 0.
     """
     front = np.sign(w)  # and not w: a product of three of its size may over- or underflow
     above = front * y

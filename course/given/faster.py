@@ -5,8 +5,6 @@ import sys
 
 import numpy as np
 
-from labkit.table import COMMAND
-
 from .compiled import CHECKED
 
 SAME = 1e-9  # numbers that differ by less are only rounded differently
@@ -55,7 +53,7 @@ def agrees(own, fast):
     if not agreed:
         print(f"Your {own.__name__} returns something else than it should, or stops with an error. "
               "So it does all the work, as it is, and nothing faster stands in for it. "
-              f"{COMMAND} check {own.__module__.partition('.')[2]} says what is wrong.",
+              f"python3 -m course check {own.__module__.partition('.')[2]} says what is wrong.",
               file=sys.stderr)
     return agreed
 

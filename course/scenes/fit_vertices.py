@@ -4,7 +4,9 @@ Units are pixels of a picture of WIDTH x HEIGHT.
 """
 import numpy as np
 
-from .drawing import enlarged, save
+from labkit import places
+
+from ..given import image
 
 WIDTH, HEIGHT = 24, 18
 FACE = np.array([[0, 1, 2]])
@@ -19,8 +21,9 @@ def fit_vertices(labs):
     path = fit(labs, START, COLOURS, 6)
     off = np.linalg.norm(path[-1][0] - GOAL, axis=1).max()
     steps = [drawn(labs, *found)[0] for found in (*path[:3], path[-1], (GOAL, COLOURS))]
-    yield (f"{off:.1e} px off", save("fit_vertices", "steps", enlarged(np.hstack(steps), 8)),
-           ("1e-9", off <= 1e-9))
+    path = places.out("demo", "fit_vertices", "steps.png")
+    image.write(path, np.hstack(steps).repeat(8, 0).repeat(8, 1))
+    yield f"{off:.1e} px off", path, ("1e-9", off <= 1e-9)
 
 
 def fit(labs, triangle, colours, steps, colours_too=False):
@@ -40,7 +43,8 @@ def fit(labs, triangle, colours, steps, colours_too=False):
 def drawn(labs, triangle, colours):
     """The picture (H, W, 3) of a triangle on grey, and where it is seen (H, W)."""
     clip = np.column_stack([triangle / [WIDTH / 2, HEIGHT / 2] - 1, np.zeros(3), np.ones(3)])
-    seen = labs.pipeline.visible(clip, FACE, WIDTH, HEIGHT)
-    material = labs.pipeline.Colours(colours)
-    buffers = labs.pipeline.shade(seen, FACE, material, np.full(3, 0.4))
-    return buffers.colour, buffers.face_index >= 0
+    face_index, _ = labs.rasterization.rasterize(clip, FACE, WIDTH, HEIGHT)
+    barycentric = labs.interpolation.barycentrics(face_index, clip, FACE)
+    picture = labs.interpolation.interpolate(colours, FACE, face_index, barycentric)
+    picture[face_index < 0] = 0.4
+    return picture, face_index >= 0

@@ -37,6 +37,6 @@ def shader(labs, clip, vertices, faces):
     def shade(px, py, face):
         shades.append(len(face))
         barycentric = labs.msaa.barycentric_at(px, py, face, clip, faces, SIZE, SIZE)
-        return lit(barycentric, normals[faces[face]])
+        return lit((barycentric[..., None] * normals[faces[face]]).sum(1))
 
     return shade, shades

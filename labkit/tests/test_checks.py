@@ -422,7 +422,6 @@ again     python3 -m course check 1.3
 """),
     ("half_of_one", """\
 claim     Half of one
-perhaps   Division by zero.
 given     half(x=1.0)
 wrong     ZeroDivisionError: float division by zero
           labs/transforms.py:12 in half

@@ -18,6 +18,7 @@ LEAST = 30  # characters of a line that somebody could copy
 ELSEWHERE = {
     "a, b = triangle[i], triangle[j]", "face_index = np.full((height, width), -1)",
     "for f, corners in enumerate(faces):", "x, y = polygon[..., 0], polygon[..., 1]",
+    "for k, (i, j) in enumerate(EDGES):", "x, y, w = screen_points(clip, width, height)",
     "key = np.minimum(start, end) * vertex_count + np.maximum(start, end)"}
 
 
@@ -70,7 +71,7 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
     assert len(texts) > 40 and len(secret) > 300
 
 
-BEFORE_8 = "transforms", "rasterization", "sampling"
+BEFORE_8 = "transforms", "rasterization", "sampling", "interpolation"
 
 
 ONCE = [topic for topic in exercises.topics() if topic not in exercises.lab_topics()]

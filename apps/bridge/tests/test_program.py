@@ -74,7 +74,7 @@ def test_an_error_of_the_program_is_its_own(error, tmp_path):
 def test_an_exercise_that_is_not_written_is_named(tmp_path):
     """--impl labs runs the reference."""
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
-    assert status == 2 and "is not written yet; python3 -m course check 2." in printed
+    assert status == 2 and "is not written yet; python3 -m course check 1." in printed
 
 
 @pytest.mark.parametrize(("text", "said"), [
