@@ -90,7 +90,7 @@ def run(notebook, root):
     """As Jupyter does: from the folder notebooks/, each cell cleared before it runs."""
     manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
     environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": str(root / "settings")}
-    client = NotebookClient(notebook, km=manager, timeout=60)
+    client = NotebookClient(notebook, km=manager, timeout=60, coalesce_streams=True)
     client.execute(cwd=str(root / "notebooks"), env=environment, cleanup_kc=True)
 
 
