@@ -47,7 +47,7 @@ def row(face_count, size):
 
 def stages(clip, faces, attributes, size):
     """{stage: call}, in order; "d " are the backward passes. Each gets what came before it."""
-    opposite = antialiasing.opposite_vertices(faces)  # once for a mesh
+    opposite = antialiasing.opposite_corners(faces)  # once for a mesh
     face_index, depth = rasterization.rasterize(clip, faces, size, size)
     barycentric = interpolation.barycentrics(face_index, clip, faces)
     colour = interpolation.interpolate(attributes, faces, face_index, barycentric)

@@ -36,7 +36,7 @@ def scene(faces, clip, size):
     """A Scene with random attributes and a random gradient."""
     rng = np.random.default_rng(0)
     return Scene(faces, clip, rng.random((len(clip), 3)), rng.normal(size=(size, size, 3)),
-                 antialiasing.opposite_vertices(faces))
+                 antialiasing.opposite_corners(faces))
 
 
 def plain(scene):

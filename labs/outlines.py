@@ -1,15 +1,16 @@
 """Outlines: in which pairs of pixels of a picture does an edge run, and which edge is it?
 
+    pictures        ->  pairs of pixels in which an edge may run        (2)   neighbours
+    pairs, a face   ->  the edge that the pair's line crosses last      (3)   leave_faces
     screen points   ->  silhouette edges of the faces that are seen     (1)   seen_silhouettes
-    pictures        ->  pairs of pixels in which an edge may run        (2)   jumping_pairs
-    pairs           ->  the edge that the pair's line crosses last      (3)   jumping_pairs
-    edges           ->  the pairs that are blended                            blended_pairs
+    outlines        ->  the pairs that are blended                            steep_pairs
 
 The numbers are those of the equations in antialiasing.py. All of these decide, and decisions have
 no gradient. Where the edges cross has one: (4), (5) and the way back to clip space are
-`blend_pairs` and its backward pass there. `antialias` joins both. face_index and depth (H, W) are
-those of `rasterize`: -1 and np.inf where no face is seen. clip (V, 4) and faces (F, 3) are the
-mesh, opposite (F, 3) is made once for it by `opposite_vertices`.
+`blend_pairs` and its backward pass there. `antialias` joins both as nvdiffrast does, which looks at
+the owner's face alone. outline_walk.py walks on from there. face_index and depth (H, W) are those
+of `rasterize`: -1 and np.inf where no face is seen. clip (V, 4) and faces (F, 3) are the mesh,
+opposite (F, 3) is made once for it by `opposite_corners`.
 
 Source: Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -38,6 +39,12 @@ def vertices_on_screen(clip, width, height):
         return screen_points(clip, width, height)
 
 
+def vertices_across(faces, opposite):
+    """The vertices of corners (..., 3) of `opposite_corners`, -1 for none."""
+    vertices = faces.ravel().astype(np.intp)
+    return np.where(opposite < 0, -1, vertices.take(opposite, mode="clip"))
+
+
 def seen_silhouettes(face_index, screen, faces, opposite):
     """`silhouette_edges` of the faces that the picture shows: bool (F, 3), False for the others.
 
@@ -47,31 +54,47 @@ def seen_silhouettes(face_index, screen, faces, opposite):
     is_seen[face_index.ravel()] = True
     seen = np.flatnonzero(is_seen[:-1])
     silhouette = np.zeros((len(faces), 3), bool, order="F")  # one edge after the other
-    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0), opposite.take(seen, 0))
+    across = vertices_across(faces, opposite.take(seen, 0))
+    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0), across)
     return silhouette
 
 
-def jumping_pairs(face_index, depth, screen, faces, outlined):  # exercise 8.10 (4 points)
-    """Which neighbours see different faces, and which edge is between them? -> Pairs.
+def neighbours(face_index, depth):  # exercise 8.10 (2 points)
+    """Which neighbouring pixels see different faces? -> owner, other (N,)
 
-    Of a pair, the pixel that sees the nearer face is the owner. Only pairs count whose owner's face
-    is outlined, bool (F,). In the pair's frame, eq. (2), the line y = 0 goes from the owner to the
-    other. Of the face's edges that cross this line, eq. (3), take the one with the greatest c.
+    face_index, depth (H, W). Neighbours lie beside or above each other. Of a pair, the pixel that
+    sees the nearer face is the owner. Pixels are numbered row * W + column, and the pairs may come
+    in any order. Without them no outline is smooth in `python3 -m course demo --impl labs bunny`.
 
-    face_index, depth (H, W). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). Pixels
-    are numbered row * W + column, and the pairs may come in any order. `Pairs` says what belongs to
-    each. Without them no outline is smooth in `python3 -m course demo --impl labs bunny`.
+    >>> neighbours(np.array([[0, 0], [1, -1]]), np.array([[0.5, 0.5], [0.25, np.inf]]))
+    (array([2, 2, 1]), array([3, 0, 3]))
+
+    Fine print. Of two that are equally deep, the one to the right or above is the owner.
+    """
+    raise NotImplementedError("exercise 8.10: neighbours")
+
+
+def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.11 (3 points)
+    """By which edge does each pair's line leave a face, on the way from owner to other? -> Pairs
+
+    owner, other, face (N,). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). In the
+    pair's frame, eq. (2), the line y = 0 goes from the owner to the other. Of the face's edges that
+    cross this line, eq. (3), take the one with the greatest c. `Pairs` says what belongs to each.
 
     >>> screen = np.array([[-9.0, 1.0, 2.0], [0.0, -1.5, 2.5], [1.0, 1.0, 1.0]])
-    >>> picture = np.array([[0, -1, -1]]), np.array([[0.5, np.inf, np.inf]])
-    >>> pairs = jumping_pairs(*picture, screen, np.array([[0, 1, 2]]), np.array([True]))
-    >>> pairs.owner, pairs.other, pairs.edge, pairs.c, pairs.ends.T
-    (array([0]), array([1]), array([0]), array([1.]), array([[1, 2]]))
+    >>> pairs = leave_faces(*np.array([[0], [1], [0]]), screen, np.array([[0, 1, 2]]), 3)
+    >>> pairs.edge, pairs.c, pairs.ends.T, pairs.x.T
+    (array([0]), array([1.]), array([[1, 2]]), array([[0.5, 1.5]]))
 
-    Fine print. Of two that are equally deep, the one to the right or above is the owner. Corners
-    behind the camera, faces that no edge leaves, and equal c are as in `last_crossing`.
+    Fine print. Corners behind the camera, faces that no edge leaves, and equal c are as in
+    `last_crossing`.
     """
-    raise NotImplementedError("exercise 8.10: jumping_pairs")
+    raise NotImplementedError("exercise 8.11: leave_faces")
+
+
+def some(pairs, kept):
+    """Those of the Pairs that are kept, bool (N,)."""
+    return Pairs(*(values[..., kept] for values in pairs))
 
 
 def is_dropped(c, owner, other):
@@ -81,24 +104,35 @@ def is_dropped(c, owner, other):
     return (c == 0.5) & (owner < other)
 
 
-def blended_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.12 (2 points)
-    """Which pairs are blended? Those of `jumping_pairs` with a steep silhouette between them.
+def steep_pairs(pairs):  # exercise 8.12 (2 points)
+    """Which of the pairs at outlines are blended? -> Pairs
 
-    The pair's edge is a silhouette. It is steep: in the pair's frame at least as long in y as in x.
-    Its c lies between 0 and 1, or less than WINDOW outside. A face is outlined if one of its edges
-    is a silhouette. face_index, depth (H, W), clip (V, 4), faces, opposite (F, 3) -> Pairs.
-    `vertices_on_screen` and `seen_silhouettes` are given. Open borders, where opposite is -1, and
-    folds are seen in `python3 -m course demo --impl labs borders bunny`.
+    Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and
+    1, or less than WINDOW outside. The given `some` takes them from the others. Shallow outlines
+    are blended twice in `python3 -m course demo --impl labs borders bunny` without it.
 
-    >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
-    >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])
-    >>> pairs = blended_pairs(*picture, clip, np.array([[0, 1, 2]]), np.full((1, 3), -1))
-    >>> pairs.owner, pairs.other, pairs.c
-    (array([1]), array([2]), array([0.25]))
+    >>> x, y = np.array([[0.0, 0.0], [0.5, 2.0]]), np.array([[-1.0, -1.0], [1.0, 1.0]])
+    >>> c = np.array([0.25, 1.0])
+    >>> steep_pairs(Pairs(np.array([0, 2]), np.array([1, 1]), c, x, x, y, c, c)).c
+    array([0.25, 1.  ])
 
     Fine print. Leave out what the given `is_dropped` names.
     """
-    raise NotImplementedError("exercise 8.12: blended_pairs")
+    raise NotImplementedError("exercise 8.12: steep_pairs")
+
+
+def blended_pairs(face_index, depth, clip, faces, opposite):
+    """The pairs that nvdiffrast blends: by their last edge the line leaves the owner's face, and
+    that edge is a silhouette. face_index, depth (H, W), clip (V, 4), faces, opposite (F, 3).
+    """
+    height, width = face_index.shape
+    screen = vertices_on_screen(clip, width, height)
+    silhouette = seen_silhouettes(face_index, screen, faces, opposite)
+    owner, other = neighbours(face_index, depth)
+    face = face_index.ravel()[owner]
+    kept = silhouette.any(1)[face]
+    pairs = Pairs(*leave_faces(owner[kept], other[kept], face[kept], screen, faces, width))
+    return steep_pairs(some(pairs, silhouette[pairs.face, pairs.edge]))
 
 
 def antialias(colour, face_index, depth, clip, faces, opposite):

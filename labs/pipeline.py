@@ -26,6 +26,7 @@ from . import (
     antialiasing,
     interpolation,
     mipmapping,
+    outline_walk,
     outlines,
     rasterization,
     rasterizer_gradients,
@@ -99,7 +100,7 @@ def make_mesh(positions, faces):
     """A Mesh of positions (V, 3) and faces (F, 3). When it moves, `_replace` its positions."""
     inputs.require_faces(faces, len(positions))
     faces = faces.astype(np.intp)
-    return Mesh(positions, faces, antialiasing.opposite_vertices(faces))
+    return Mesh(positions, faces, antialiasing.opposite_corners(faces))
 
 
 def render(mesh, material, view):
@@ -137,7 +138,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
     `visible` makes the first four of the Buffers, and `shade` the colour. pairs, the last, are
-    those of lab 8's `outlines.blended_pairs`, of which `antialiasing.blend_pairs` makes the
+    those of lab 8's `outline_walk.walked_pairs`, of which `antialiasing.blend_pairs` makes the
     picture. All demos are drawn by it: `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])

@@ -14,8 +14,8 @@ owns the edge.
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
 and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
-`last_crossing` and a c that counts as 0 or 1 are refinements by nvdiffrast. outlines.py finds the
-pairs of a picture, which `blend_pairs` blends.
+`last_crossing` and a c that counts as 0 or 1 are refinements by nvdiffrast. outlines.py and
+outline_walk.py find the pairs of a picture, which `blend_pairs` blends.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -31,7 +31,7 @@ from .rasterization import screen_points
 
 
 class Pairs(NamedTuple):
-    """N pairs of neighbouring pixels, each with an edge of the owner's face."""
+    """N pairs of neighbouring pixels, each with an edge of a face between them."""
 
     owner: np.ndarray  # (N,) number of the pixel, row * W + column
     other: np.ndarray  # (N,)
@@ -39,45 +39,49 @@ class Pairs(NamedTuple):
     ends: np.ndarray   # (2, N) the vertices at the edge's ends, as EDGES[edge] has them
     x: np.ndarray      # (2, N) where these are in the pair's frame
     y: np.ndarray      # (2, N)
-    face: np.ndarray   # (N,) the owner's face
+    face: np.ndarray   # (N,) the edge's face: in outlines.py it is the owner's
     edge: np.ndarray   # (N,) which of this face's edges, from 0 to 2
 
 
-def opposite_vertices(faces):  # exercise 8.1 (3 points)
-    """Which vertex lies across each edge of each face? -1 for none.
+def opposite_corners(faces):  # exercise 8.1 (3 points)
+    """Which corner lies across each edge of each face? Its number, 3 * face + corner; -1 for none.
 
     faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
-    is the third vertex of the other face at this edge, wound either way. Inner edges are blended
+    is the third corner of the other face at this edge, wound either way. Inner edges are blended
     like borders in `python3 -m course demo --impl labs borders` if it is wrong.
 
-    >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
-    array([[ 3, -1, -1],
+    >>> opposite_corners(np.array([[0, 1, 2], [2, 1, 3]]))
+    array([[ 5, -1, -1],
            [-1, -1,  0]])
 
     Fine print. Do not compare all pairs of faces: meshes are large. A face that names a vertex
-    twice gets -1. Where three faces meet, list their third vertices, each once, in the order of the
-    faces. The first two answer each other. Other faces get -1.
+    twice gets -1. Where three faces meet, list their third vertices, each once, as the corner of
+    its first face. The first two answer each other. Other faces get -1.
     """
     sound = (faces != faces[:, [1, 2, 0]]).all(1)
     third = faces[sound]
+    number = np.arange(faces.size).reshape(faces.shape)[sound]
     edges, edge = mesh.edges(third)
-    p = scatter_first(third, edge, len(edges))[edge]  # across each edge, the first vertex
+    first = scatter_first(number, edge, len(edges))[edge]  # across each edge, the first corner
+    p = faces.ravel()[first]
     rest = third != p
-    q = scatter_first(third[rest], edge[rest], len(edges))[edge]  # and the first other one
+    second = scatter_first(number[rest], edge[rest], len(edges))[edge]  # of the first other vertex
+    is_second = (second >= 0) & (third == faces.ravel()[second])
     opposite = np.full(faces.shape, -1)
-    opposite[sound] = np.where(third == p, q, np.where(third == q, p, -1))
+    opposite[sound] = np.where(third == p, second, np.where(is_second, first, -1))
     return opposite
 
 
-def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
+def silhouette_edges(x, y, w, faces, across):  # exercise 8.2 (3 points)
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
-    x, y, w (V,) of `screen_points`, all w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds if
-    vertex k and the one across lie on one side of edge k.
+    x, y, w (V,) of `screen_points`, all w > 0, faces (F, 3), across (F, 3) the vertices across
+    their edges, -1 for none -> bool (F, 3). It folds if vertex k and the one across lie on one
+    side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
-    >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
-    >>> silhouette_edges(x, y, np.ones(4), faces, opposite)
+    >>> faces, across = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
+    >>> silhouette_edges(x, y, np.ones(4), faces, across)
     array([[False,  True,  True],
            [ True,  True, False]])
 
@@ -94,9 +98,9 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
 
     corners = faces.T.copy()
     own = is_clockwise(*corners)
-    silhouette = opposite < 0
+    silhouette = across < 0
     for k, (i, j) in enumerate(EDGES):
-        silhouette[:, k] |= is_clockwise(opposite[:, k], corners[i], corners[j]) == own
+        silhouette[:, k] |= is_clockwise(across[:, k], corners[i], corners[j]) == own
     return silhouette
 
 

@@ -6,7 +6,7 @@
 Each function stands for the one of its name in another module. What it finds is the same to the
 bit, and gradients to rounding. What is not of the expected shape, or names what is not there, is an
 error before a kernel reads it, or when it comes upon it: compiled code reads on in memory. (Only an
-opposite vertex that is not there counts as none.)
+opposite corner that is not there counts as none.)
 
 A picture is cut into bands of rows, one for each thread, or the faces into shares where they are
 more than the pixels. What the threads find is put together in the order of the bands. So no result
@@ -159,8 +159,8 @@ def coloured(face_index, points, faces, colours, background):
     return weights.reshape(3, height, width).transpose(1, 2, 0), colour
 
 
-def blended_pairs(face_index, depth, points, faces, opposite):
-    """`outlines.blended_pairs`, from the points of `screen_vertices`."""
+def walked_pairs(face_index, depth, points, faces, opposite):
+    """`outline_walk.walked_pairs`, from the points of `screen_vertices`."""
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
     surface = pair_kernels.Surface(points, faces, opposite, np.zeros(len(faces), np.uint8))
@@ -212,7 +212,7 @@ def draw(clip, faces, opposite, material, width, height, background):
         barycentric, colour = coloured(face_index, points, faces,
                                        np.ascontiguousarray(material.colours, float),
                                        tuple(map(float, background)))
-    pairs = blended_pairs(face_index, depth, points, faces, np.asarray(opposite, np.intp))
+    pairs = walked_pairs(face_index, depth, points, faces, np.asarray(opposite, np.intp))
     picture = colour.copy()
     pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
     return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)

@@ -1,12 +1,12 @@
 """Pair kernels: lab 8's antialiasing as loops over pairs of pixels, there and back.
 
-    a thread a band    find_pairs         pairs that see different faces, (1) to (3)
+    a thread a band    find_pairs         the walks of pairs that see different faces, (1) to (3)
     one thread         blend              (4) and (5), in the pairs' order
                        blend_backward     gradients of edges' ends, and of the pixels of each pair
 
-The numbers are equations of antialiasing.py, and the decisions are those of outlines.py, to the
-last bit. Most pairs lie between two faces of one surface. So a face's silhouette comes first, found
-when the first of its pairs asks for it. Threads may find one twice, and write the same byte.
+The numbers are equations of antialiasing.py, and the decisions are those of outline_walk.py, to the
+last bit. A face's silhouette is found when the first walk comes to it. Threads may find one twice,
+and write the same byte.
 """
 from collections import namedtuple
 
@@ -23,7 +23,7 @@ KNOWN = np.uint8(8)  # a face's silhouette has been found: bits 0 to 2 are its e
 # A flat picture (H W,): the face that each pixel sees, and its depth; and its sides.
 Screen = namedtuple("Screen", "face_index depth width height")
 
-# points (V, 4) on screen, faces (F, 3), opposite (F, 3); silhouettes (F,): what was found.
+# points (V, 4) on screen, faces, opposite (F, 3); silhouettes (F,): what was found.
 Surface = namedtuple("Surface", "points faces opposite silhouettes")
 
 # A vertex: x, y and w on screen, or x and y in the frame of a pair.
@@ -32,8 +32,8 @@ Point = namedtuple("Point", "x y w")
 # Where a pair of pixels begins, and in which direction it runs: 1 or -1 along one axis.
 Frame = namedtuple("Frame", "x y dx dy")
 
-# The edge that a pair's line crosses last: at c, between p and q, the vertices i and j.
-Crossing = namedtuple("Crossing", "edge c i j p q")
+# The edge by which a pair's line leaves a face: at c, between p and q, the vertices i and j.
+Crossing = namedtuple("Crossing", "face edge c i j p q")
 
 # From a pair's owner to its other pixel, and the picture's sides.
 Step = namedtuple("Step", "dx dy width height")
@@ -53,34 +53,53 @@ def is_clockwise(a, b, c):
 
 
 @kernel
-def turns(points, vertex, b, c, own):
-    """Does the surface turn at the edge from b to c, before a vertex across it that may be none?"""
-    return not 0 <= vertex < len(points) or is_clockwise(point(points, vertex), b, c) == own
+def turns(points, faces, corner, b, c, own):
+    """Does the surface turn at the edge from b to c, before a corner across it that may be none?"""
+    if not 0 <= corner < faces.size:
+        return True
+    return is_clockwise(point(points, faces[corner // 3, corner % 3]), b, c) == own
 
 
 @kernel
-def silhouette_of(points, faces, opposite, face):
-    """Eq. (1) for one face: bit k for edge k, and KNOWN."""
-    a = point(points, faces[face, 0])
-    b = point(points, faces[face, 1])
-    c = point(points, faces[face, 2])
-    own = is_clockwise(a, b, c)
-    at_0 = turns(points, opposite[face, 0], b, c, own)
-    at_1 = turns(points, opposite[face, 1], c, a, own)
-    at_2 = turns(points, opposite[face, 2], a, b, own)
-    return np.uint8(at_0 | at_1 << 1 | at_2 << 2 | KNOWN)
+def is_silhouette(surface, face, edge):
+    """Eq. (1) for one edge of a face. Bit k is found for edge k, with KNOWN."""
+    points, faces, opposite, silhouettes = surface
+    if silhouettes[face] == 0:
+        a = point(points, faces[face, 0])
+        b = point(points, faces[face, 1])
+        c = point(points, faces[face, 2])
+        own = is_clockwise(a, b, c)
+        at_0 = turns(points, faces, opposite[face, 0], b, c, own)
+        at_1 = turns(points, faces, opposite[face, 1], c, a, own)
+        at_2 = turns(points, faces, opposite[face, 2], a, b, own)
+        silhouettes[face] = np.uint8(at_0 | at_1 << 1 | at_2 << 2 | KNOWN)
+    return silhouettes[face] >> edge & 1 == 1
+
+
+@kernel
+def is_below(p):
+    """Is a corner below y = 0? w < 0 mirrors it."""
+    return np.sign(p.w) * p.y < 0
+
+
+@kernel
+def is_in_front(p, q):
+    """Does an edge cross y = 0 in front of the camera?"""
+    return np.sign(p.w) * abs(q.y) + np.sign(q.w) * abs(p.y) > 0
 
 
 @kernel
 def crossing(p, q):
-    """Eq. (3) where the edge crosses y = 0 in front of the camera, else -inf."""
-    front_p, front_q = np.sign(p.w), np.sign(q.w)
-    if ((front_p * p.y < 0) == (front_q * q.y < 0)
-            or not front_p * abs(q.y) + front_q * abs(p.y) > 0):
-        return -np.inf
+    """Eq. (3)."""
     is_nearer = abs(q.y) < abs(p.y)
     x, y = q.x if is_nearer else p.x, q.y if is_nearer else p.y
     return x - y * (q.x - p.x) / (q.y - p.y)
+
+
+@kernel
+def crossed(p, q):
+    """Eq. (3) where the edge crosses y = 0 in front of the camera, else -inf."""
+    return crossing(p, q) if is_below(p) != is_below(q) and is_in_front(p, q) else -np.inf
 
 
 @kernel
@@ -91,37 +110,64 @@ def in_frame(a, frame):
 
 
 @kernel
-def last_crossing(points, corners, frame):
-    """The Crossing of a pair's line."""
-    i, j, k = corners
+def leave(points, faces, face, frame):
+    """The Crossing by which the pair's line leaves a face: the last of its three."""
+    i, j, k = faces[face, 0], faces[face, 1], faces[face, 2]
     a = in_frame(point(points, i), frame)
     b = in_frame(point(points, j), frame)
     c = in_frame(point(points, k), frame)
-    at_1, at_2 = crossing(c, a), crossing(a, b)
-    found = Crossing(0, crossing(b, c), j, k, b, c)
+    at_1, at_2 = crossed(c, a), crossed(a, b)
+    found = Crossing(face, 0, crossed(b, c), j, k, b, c)
     if at_1 > found.c:
-        found = Crossing(1, at_1, k, i, c, a)
+        found = Crossing(face, 1, at_1, k, i, c, a)
     if at_2 > found.c:
-        found = Crossing(2, at_2, i, j, a, b)
+        found = Crossing(face, 2, at_2, i, j, a, b)
     return found
+
+
+@kernel
+def enter(points, faces, corner, frame):
+    """The Crossing by which the line leaves a face that it enters across from a corner."""
+    face, entered = corner // 3, corner % 3
+    first, second = (entered + 1) % 3, (entered + 2) % 3
+    i, j, k = faces[face, entered], faces[face, first], faces[face, second]
+    a = in_frame(point(points, i), frame)
+    b = in_frame(point(points, j), frame)
+    if is_below(a) == is_below(b):
+        c = in_frame(point(points, k), frame)
+        return Crossing(face, first, crossing(c, a) if is_in_front(c, a) else np.inf, k, i, c, a)
+    return Crossing(face, second, crossing(a, b) if is_in_front(a, b) else np.inf, i, j, a, b)
+
+
+@kernel
+def walk(surface, face, frame):
+    """The Crossing where a walk from the frame's beginning stops."""
+    points, faces, opposite, _ = surface
+    at = leave(points, faces, face, frame)
+    for _ in range(len(faces)):
+        if not -np.inf < at.c < 1 or is_silhouette(surface, at.face, at.edge):
+            break
+        at = enter(points, faces, opposite[at.face, at.edge], frame)
+    return at
+
+
+@kernel
+def frame_of(axis, pixel, is_first, width):
+    """The Frame of the pair that begins at a pixel, which is the first of the two or not."""
+    along = 1.0 if is_first else -1.0
+    return Frame(int(pixel) % width + 0.5, int(pixel) // width + 0.5,
+                 along * (1 - axis), along * axis)
 
 
 @kernel
 def pairs_along(axis, screen, surface, rows, pairs, n):
     """The pairs along x (axis 0) or y (axis 1), after the first n -> how many there are now."""
-    face_index, depth, width, height = screen
-    points, faces, opposite, silhouettes = surface
+    face_index, _, width, height = screen
     step, columns = (1, max(width - 1, 0)) if axis == 0 else (width, width)
     for row in range(rows[0], min(rows[1], height - axis)):
         for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
             second = first + np.uintp(step)
-            if face_index[first] == face_index[second]:
-                continue
-            is_first = depth[first] < depth[second]
-            face = face_index[first if is_first else second]
-            if silhouettes[face] == 0:
-                silhouettes[face] = silhouette_of(points, faces, opposite, face)
-            if silhouettes[face] != KNOWN:
+            if face_index[first] != face_index[second]:
                 n += find_pair(axis, screen, surface, (first, second), pairs, n)
     return n
 
@@ -129,29 +175,29 @@ def pairs_along(axis, screen, surface, rows, pairs, n):
 @kernel
 def find_pair(axis, screen, surface, pixels, pairs, n):
     """1 if two pixels that see different faces are a blended pair, which is then number n, or 0."""
+    face_index, depth, width, _ = screen
     first, second = pixels
-    is_first = screen.depth[first] < screen.depth[second]
+    is_first = depth[first] < depth[second]
     owner, other = (first, second) if is_first else (second, first)
-    face = screen.face_index[owner]
-    along = 1.0 if is_first else -1.0
-    frame = Frame(int(owner) % screen.width + 0.5, int(owner) // screen.width + 0.5,
-                  along * (1 - axis), along * axis)
-    corners = surface.faces[face, 0], surface.faces[face, 1], surface.faces[face, 2]
-    at = last_crossing(surface.points, corners, frame)
+    at = walk(surface, np.intp(face_index[owner]), frame_of(axis, owner, is_first, width))
+    if (at.c >= 1 and at.face != face_index[other] and face_index[other] >= 0
+            and not (at.c == 1 and is_silhouette(surface, at.face, at.edge))):
+        owner, other, is_first = other, owner, not is_first
+        at = walk(surface, np.intp(face_index[owner]), frame_of(axis, owner, is_first, width))
     is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
     is_dropped = at.c == 0.5 and is_first
-    if (surface.silhouettes[face] >> at.edge & 1 and is_steep and -WINDOW < at.c < 1 + WINDOW
-            and not is_dropped):
-        put(pairs, n, owner, other, face, at)
+    if (-WINDOW < at.c <= 1 and is_steep and not is_dropped
+            and is_silhouette(surface, at.face, at.edge)):
+        put(pairs, n, owner, other, at)
         return 1
     return 0
 
 
 @kernel
-def put(pairs, n, owner, other, face, at):
+def put(pairs, n, owner, other, at):
     """Write pair n, at a Crossing."""
     pairs.owner[n], pairs.other[n] = owner, other
-    pairs.face[n], pairs.edge[n] = face, at.edge
+    pairs.face[n], pairs.edge[n] = at.face, at.edge
     pairs.c[n] = at.c
     pairs.ends[0, n], pairs.ends[1, n] = at.i, at.j
     pairs.x[0, n], pairs.x[1, n] = at.p.x, at.q.x

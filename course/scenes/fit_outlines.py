@@ -82,7 +82,7 @@ def soft_outline(labs, clip, faces, size, sigma=0.05):
 def blend_outline(labs, clip, faces, size):
     """Lab 8's: white faces on black, antialiased."""
     face_index, depth = labs.rasterization.rasterize(clip, faces, size, size)
-    edges = face_index, depth, clip, faces, labs.antialiasing.opposite_vertices(faces)
+    edges = face_index, depth, clip, faces, labs.antialiasing.opposite_corners(faces)
     colour = (face_index >= 0)[..., None].astype(float)
 
     def backward(grad_picture):

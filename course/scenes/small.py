@@ -27,7 +27,7 @@ def borders(labs):
     face_index, depth = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
     shades = np.array([1.0, 0.8, 0.4, 0.5, 0.7, 0.6, 0.0])[face_index][..., None]
     picture = labs.outlines.antialias(shades, face_index, depth, clip, faces,
-                                      labs.antialiasing.opposite_vertices(faces))[..., 0]
+                                      labs.antialiasing.opposite_corners(faces))[..., 0]
     yield ("borders are blended, diagonals are not",
            save("borders", "blended", enlarged(picture, 16)),
            ("0.16 and 0.8 at the left", np.allclose(picture[5, 1:3], [0.16, 0.8])))

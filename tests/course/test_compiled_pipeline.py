@@ -56,7 +56,7 @@ def scenes():
         clip, faces = build(rng)
         colours = Colours(rng.normal(size=(len(clip), rng.choice([1, 3]))))
         background = rng.normal(size=colours.colours.shape[1])
-        yield (clip, faces, antialiasing.opposite_vertices(faces), colours, WIDTH, HEIGHT,
+        yield (clip, faces, antialiasing.opposite_corners(faces), colours, WIDTH, HEIGHT,
                background), rng
 
 

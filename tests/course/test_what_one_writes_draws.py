@@ -15,7 +15,7 @@ from labkit.upkeep import mistakes
 
 # Topics of which every core exercise is in the renderer, or in the fit of its own lab.
 DRAWING = ("transforms", "rasterization", "interpolation", "vertex_gradients",
-           "rasterizer_gradients", "antialiasing", "outlines", "inverse_rendering", "pipeline")
+           "rasterizer_gradients", "antialiasing", "outlines", "outline_walk", "inverse_rendering", "pipeline")
 ENOUGH = 3  # mistakes of each exercise, at least, must show
 CORE = [(topic, one.name) for topic in DRAWING for one in exercises.topic_exercises(topic)
         if not one.is_extra and one.points]

@@ -1,7 +1,20 @@
 """Where the edges of faces cross a pair's line, found in space: an oracle of lab 8's checks."""
 import numpy as np
 
+from labkit.checks import Mismatch
+
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
+FIELDS = "owner", "other", "c", "ends", "x", "y", "face", "edge"
+
+
+def as_pairs(impl, returned):
+    """The Pairs that a function returned. Mismatch: they are none."""
+    is_one = isinstance(returned, tuple)
+    sizes = [np.shape(field)[-1:] for field in returned] if is_one else []
+    if len(sizes) != len(FIELDS) or len(set(sizes)) != 1:
+        raise Mismatch(("wrong", f"it must return Pairs: {', '.join(FIELDS)}, with a number or a "
+                                 "column for each pair"))
+    return impl.Pairs(*map(np.asarray, returned))
 
 
 def last_crossing(corners):
@@ -17,3 +30,25 @@ def crossing(p, q):
     t = p[1] / (p[1] - q[1])
     x, _, w = (1 - t) * p + t * q
     return x / w if w > 0 else -np.inf
+
+
+def pairs_around(rng, count, width=7):
+    """owner, other (N,): pixels of a picture 9 rows high, and one of their four neighbours."""
+    row, column = rng.integers(1, 8, count), rng.integers(1, width - 1, count)
+    step = np.array([1, -1, width, -width])[rng.integers(0, 4, count)]
+    return row * width + column, row * width + column + step
+
+
+def soup(rng, w):
+    """screen, faces: 7 faces of random corners."""
+    x, y = rng.uniform(-2, [[9], [11]], (2, 15))
+    return (x, y, w), rng.permuted(np.tile(np.arange(15), (7, 1)), axis=1)[:, :3]
+
+
+def in_space(owner, other, screen, width):
+    """The vertices (V, 3) in the frame of one pair, (along, across, 1) times w."""
+    x, y, w = screen
+    right, up = other % width - owner % width, other // width - owner // width
+    points = np.stack([x, y], -1) - [owner % width + 0.5, owner // width + 0.5]
+    return w[:, None] * np.column_stack([points @ [right, up], points @ [abs(up), abs(right)],
+                                         np.ones(len(points))])

@@ -112,7 +112,7 @@ def drawn_pairs(impl, *scene):
     pairs = drawn(impl, *scene)[1][5]
     if not isinstance(pairs, tuple) or len(pairs) != 8:
         kind = "None" if pairs is None else type(pairs).__name__
-        raise Mismatch(("wrong", "the last of the buffers must be the pairs that blended_pairs "
+        raise Mismatch(("wrong", "the last of the buffers must be the pairs that walked_pairs "
                                  f"returns, which the way back needs; it is {kind}"))
     return by_pixel(pairs)
 
@@ -179,7 +179,7 @@ def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, white, end):
 # Two faces at a diagonal, larger than the picture and parallel to the screen.
 QUAD = np.array([[-2.0, -1.7, 0.3, 1.0], [2.2, -2.0, 0.1, 1.0], [1.9, 2.3, 0.2, 1.0],
                  [-2.1, 2.0, 0.4, 1.0]])
-QUAD_MESH = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[-1, 3, -1], [-1, -1, 1]])
+QUAD_MESH = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[-1, 5, -1], [-1, -1, 1]])
 SHADES = np.array([[0.5, 0.3], [0.2, 0.0], [0.0, -0.1]])  # 0.5 + 0.2 x and 0.3 - 0.1 y, in ndc
 QUAD_COLOURS = np.column_stack([np.ones(4), QUAD[:, :2]]) @ SHADES
 
@@ -192,7 +192,7 @@ def centres():
 
 @exercise("9.12")
 def test_inside_of_a_mesh_nothing_is_blended(impl):
-    """Each edge is taken for an outline: opposite is not passed on to blended_pairs, or all -1."""
+    """Each edge is taken for an outline: opposite is not passed on to walked_pairs, or all -1."""
     colours = impl.Colours(QUAD_COLOURS)
     picture, _ = drawn(impl, QUAD, *QUAD_MESH, colours, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, centres() @ SHADES, atol=1e-9)

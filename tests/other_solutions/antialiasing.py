@@ -6,25 +6,24 @@ import numpy as np
 from reference.antialiasing import Pairs, ends_backward
 
 
-def opposite_vertices(faces):
+def opposite_corners(faces):
     faces = np.asarray(faces).tolist()
-    thirds = {}
-    for face in faces:
+    thirds = {}  # at each edge the third vertices, and the first corner of each
+    for f, face in enumerate(faces):
         if len(set(face)) == 3:
             for k in range(3):
-                found = thirds.setdefault(frozenset(face) - {face[k]}, [])
-                if face[k] not in found:
-                    found.append(face[k])
+                thirds.setdefault(frozenset(face) - {face[k]}, {}).setdefault(face[k], 3 * f + k)
     opposite = np.full((len(faces), 3), -1)
     for f, face in enumerate(faces):
         for k in range(3):
-            across = thirds.get(frozenset(face) - {face[k]}, [])[:2] if len(set(face)) == 3 else []
-            if len(across) == 2 and face[k] in across:
-                opposite[f, k] = across[1 - across.index(face[k])]
+            found = thirds.get(frozenset(face) - {face[k]}, {}) if len(set(face)) == 3 else {}
+            others = [vertex for vertex in list(found)[:2] if vertex != face[k]]
+            if len(others) == 1 and len(found) > 1:
+                opposite[f, k] = found[others[0]]
     return opposite
 
 
-def silhouette_edges(x, y, w, faces, opposite):
+def silhouette_edges(x, y, w, faces, across):
     def winding(corners):
         a, b, c = (complex(x[v], y[v]) for v in corners)
         area = ((b - a).conjugate() * (c - a)).imag
@@ -34,8 +33,8 @@ def silhouette_edges(x, y, w, faces, opposite):
     silhouette = np.ones((len(faces), 3), bool)
     for f, face in enumerate(faces):
         for k in range(3):
-            if opposite[f][k] >= 0:
-                turned = [opposite[f][k] if j == k else face[j] for j in range(3)]
+            if across[f][k] >= 0:
+                turned = [across[f][k] if j == k else face[j] for j in range(3)]
                 silhouette[f, k] = winding(face) == winding(turned)
     return silhouette
 

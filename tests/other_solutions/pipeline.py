@@ -1,7 +1,7 @@
 """Lab 9's joined labs once more: a sum over the channels, and each path of the way back alone."""
 import numpy as np
 
-from reference import antialiasing, outlines, pipeline, rasterizer_gradients
+from reference import antialiasing, outline_walk, pipeline, rasterizer_gradients
 from reference.pipeline import Buffers, Colours, Texture  # noqa: F401, for the checks
 
 
@@ -10,9 +10,8 @@ def draw(clip, faces, opposite, material, width, height, background):
     seen = pipeline.visible(clip, faces, width, height)
     buffers = pipeline.shade(seen, faces, material, background)
     channels = np.moveaxis(buffers.colour, -1, 0)
-    picture = [outlines.antialias(channel[..., None], seen.face_index, seen.depth, clip, faces,
-                                  opposite)[..., 0] for channel in channels]
-    pairs = outlines.blended_pairs(seen.face_index, seen.depth, clip, faces, opposite)
+    pairs = outline_walk.walked_pairs(seen.face_index, seen.depth, clip, faces, opposite)
+    picture = [antialiasing.blend_pairs(channel[..., None], pairs)[..., 0] for channel in channels]
     backwards = tuple(np.asarray(values)[..., ::-1] for values in pairs)
     return np.stack(picture, -1), (*buffers[:5], backwards)
 

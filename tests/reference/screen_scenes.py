@@ -22,7 +22,7 @@ def drawn(clip, faces, width, height):
     """What lab 8 asks of a picture: face_index, depth, clip, faces, opposite. And it in white."""
     face_index, depth = rasterization.rasterize(clip, faces, width, height)
     white = (face_index >= 0)[..., None].astype(float)
-    return (face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)), white
+    return (face_index, depth, clip, faces, antialiasing.opposite_corners(faces)), white
 
 
 def soup(rng, behind=False):

@@ -16,7 +16,7 @@ def golden(scene, *keys):
 
 def golden_inputs(scene):
     *pictures, clip, faces = golden(scene, "colour", "face_index", "depth", "clip", "faces")
-    return *pictures, clip, faces, antialiasing.opposite_vertices(faces)
+    return *pictures, clip, faces, antialiasing.opposite_corners(faces)
 
 
 @pytest.mark.parametrize("scene", SCENES)
@@ -52,7 +52,8 @@ def test_silhouettes_are_those_of_the_faces_that_are_seen(seed):
     seen, _ = drawn(*soup(np.random.default_rng(seed), behind=True), 30, 22)
     face_index, _, clip, faces, opposite = seen
     screen = rasterization.screen_points(clip, 30, 22)
-    expected = antialiasing.silhouette_edges(*screen, faces, opposite)
+    across = outlines.vertices_across(faces, opposite)
+    expected = antialiasing.silhouette_edges(*screen, faces, across)
     expected[np.setdiff1d(np.arange(len(faces)), face_index)] = False
     got = outlines.seen_silhouettes(face_index, screen, faces, opposite)
     np.testing.assert_array_equal(got, expected)

@@ -255,7 +255,7 @@ BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
            ("width", 5.0), ("height", -3), ("height", None), ("width", True))),
        ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
        ("opposite", np.full((1, 3), 99), "opposite.*from -1 to 2.*got 99 to 99"),
-       ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_vertices.*got \(2, 3\)")]
+       ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_corners.*got \(2, 3\)")]
 
 TEXTURED = {"uv": np.zeros((3, 2)), "uv_faces": np.array([[0, 1, 2]]), "image": np.zeros((2, 2, 2))}
 BAD_TEXTURED = [("uv", np.zeros((3, 3)), r"uv \(T, 2\).*got \(3, 3\)"),

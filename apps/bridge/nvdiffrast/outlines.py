@@ -21,14 +21,14 @@ class TopologyHash(NamedTuple):
 def antialias_construct_topology_hash(tri):
     """What `antialias` needs of the faces (F, 3), which is kept for a mesh in any case."""
     faces = array("tri", tri, "f 3", INTEGERS)
-    return TopologyHash(opposite_vertices(faces.tobytes(), tensors.labs.package))
+    return TopologyHash(opposite_corners(faces.tobytes(), tensors.labs.package))
 
 
 @functools.lru_cache(maxsize=16)
-def opposite_vertices(faces, package):
-    """Lab 8's `opposite_vertices` of faces as bytes, by the labs of this package."""
+def opposite_corners(faces, package):
+    """Lab 8's `opposite_corners` of faces as bytes, by the labs of this package."""
     faces = np.frombuffer(faces, np.int32).reshape(-1, 3)
-    return tensors.labs.antialiasing.opposite_vertices(faces.astype(np.intp))
+    return tensors.labs.antialiasing.opposite_corners(faces.astype(np.intp))
 
 
 def antialias(color, rast, pos, tri, topology_hash=None, pos_gradient_boost=1.0):

@@ -1,0 +1,177 @@
+"""Walk on: the outline of a surface, however small its faces are.
+
+outlines.py asks by which edge a pair's line leaves the owner's face, and gives up unless just this
+edge is a silhouette. Where faces are smaller than pixels, it hardly ever is: the outline belongs to
+a face between the two centres that no pixel shows. So walk on, from face to face, until
+
+    the edge is a silhouette    the surface's outline crosses the pair's line at c
+    c >= 1                      the surface reaches the other's centre: no outline of it is here
+
+If the owner's surface arrives, but the other pixel sees another face there, then that face's
+surface is in front. It walks, too, from the other's centre to the owner's.
+
+(4) and (5) of antialiasing.py blend at the outline, and their way back is exact. Pictures that stay
+hard have another estimate of what moves when an outline does, `outline_pull_backward`:
+
+    dL = sum of 1/2 (g_owner + g_other) . (I_owner - I_other) v                             (6)
+
+over all pairs with an outline. Its point on the pair's line moves by v along the pair. g is the
+gradient of the picture I. That is the boundary term of Reynolds' transport theorem, summed over the
+rows for motions in x, and over the columns for motions in y.
+
+Sources: Laine et al. 2020 (nvdiffrast), section 3.6, the first step of each walk; Li et al. 2018,
+the boundary term; Pidhorskyi et al. 2024 (DRTK), (6) with the point at the owner's centre.
+"""
+import numpy as np
+
+from course.given.arrays import EDGES
+
+from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step, silhouette_edges
+from .outlines import (
+    WINDOW,
+    leave_faces,
+    neighbours,
+    some,
+    steep_pairs,
+    vertices_across,
+    vertices_on_screen,
+)
+
+
+def enter_faces(owner, other, corner, screen, faces, width):  # exercise 8.15 (3 points)
+    """By which edge does each pair's line leave the face that it comes into? -> Pairs
+
+    As `leave_faces`, but for corner (N,), numbered 3 * face + corner as in `opposite_corners`. The
+    line comes in by the edge across from this corner. Its ends lie on different sides of the line
+    y = 0, so the corner lies on the side of one of them. The line leaves between the corner and
+    the other one. Where it is wrong, fine meshes have stairs in
+    `python3 -m course demo --impl labs bunny`.
+
+    >>> screen = np.array([[0.0, 0.5, 2.0], [-1.5, 2.5, 2.5], [1.0, 1.0, 1.0]])
+    >>> pairs = enter_faces(*np.array([[0], [1], [2]]), screen, np.array([[0, 1, 2]]), 3)
+    >>> pairs.face, pairs.edge, pairs.c, pairs.ends.T
+    (array([0]), array([1]), array([0.5]), array([[2, 0]]))
+
+    Fine print. y < 0 is below, and y >= 0 above, as in `last_crossing`, so that no rounding can
+    lead back. A corner behind the camera (w < 0) is mirrored: compare s y, s the sign of w. If the
+    crossing is not in front of the camera, s_i |y_j| + s_j |y_i| <= 0, the face passes the other's
+    centre: c = np.inf.
+    """
+    face, entered = np.divmod(corner, 3)
+    corners = faces[face].T
+    screen_x, screen_y, w = (values[corners] for values in screen)
+    x, y = pair_frame(screen_x, screen_y, owner, other, width)
+    n = np.arange(len(face))
+    front = np.sign(w)
+    below = front * y < 0
+    i, j = np.array(EDGES).T[:, entered]
+    edge = np.where(below[entered, n] == below[i, n], i, j)
+    ends = np.array(EDGES).T[:, edge], n
+    (x0, x1), (y0, y1), (front_0, front_1) = x[ends], y[ends], front[ends]
+    seen = front_0 * np.abs(y1) + front_1 * np.abs(y0) > 0
+    c = np.full(len(face), np.inf)
+    c[seen] = crossing(x0[seen], y0[seen], x1[seen], y1[seen])
+    return Pairs(owner, other, c, corners[ends], x[ends], y[ends], face, edge)
+
+
+def walk(owner, other, face, screen, faces,  # exercise 8.16 (4 points)
+         opposite, silhouette, width):
+    """Each pair's edge where a walk from its owner's centre, over the surface, stops -> Pairs
+
+    The walk begins on face (N,), leaves it by the edge of `leave_faces`, and goes on from face to
+    face by `enter_faces`, as long as c < 1 and the edge is no silhouette, bool (F, 3). Take a step
+    for all pairs that still walk at once. opposite (F, 3) is made by `opposite_corners`.
+    `python3 -m course demo --impl labs bunny` draws with it.
+
+    >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
+    >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
+    >>> pairs = walk(*np.array([[0], [1], [0]]), screen, faces, opposite, opposite < 0, 2)
+    >>> pairs.face, pairs.edge, pairs.c.round(3)
+    (array([1]), array([1]), array([0.625]))
+
+    Fine print. If no edge of the first face crosses, c is -np.inf and the walk is over. No walk is
+    longer than there are faces.
+    """
+    pairs = leave_faces(owner, other, face.copy(), screen, faces, width)
+    go = np.flatnonzero(pairs.c > -np.inf)
+    for _ in range(len(faces)):
+        go = go[(pairs.c[go] < 1) & ~silhouette[pairs.face[go], pairs.edge[go]]]
+        if len(go) == 0:
+            break
+        across = opposite[pairs.face[go], pairs.edge[go]]
+        step = enter_faces(owner[go], other[go], across, screen, faces, width)
+        for values, new in zip(pairs[2:], step[2:], strict=True):
+            values[..., go] = new
+    return pairs
+
+
+def is_outline(pairs, silhouette):
+    """Did the walk of each pair stop at a silhouette before the other's centre, or at it? bool (N,)"""
+    return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
+
+
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (3 points)
+    """The pairs of neighbours with an outline between their centres -> Pairs
+
+    First the owner's surface walks. The given `is_outline` says where it found one. Where it
+    arrives without one (c >= 1) on another face than the other pixel sees, and that one sees a
+    face, the other's surface walks, and that pixel is the owner. face_index, depth (H, W), clip
+    (V, 4), faces, opposite (F, 3). `all_silhouettes` is given. Both kinds are seen in
+    `python3 -m course demo --impl labs bunny`.
+
+    >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
+    >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])
+    >>> pairs = outline_pairs(*picture, clip, np.array([[0, 1, 2]]), np.full((1, 3), -1))
+    >>> pairs.owner, pairs.other, pairs.c
+    (array([1]), array([2]), array([0.25]))
+    """
+    height, width = face_index.shape
+    screen, silhouette = all_silhouettes(clip, faces, opposite, width, height)
+    mesh = screen, faces, opposite, silhouette, width
+    seen = face_index.ravel()
+    owner, other = neighbours(face_index, depth)
+    pairs = walk(owner, other, seen[owner], *mesh)
+    hidden = ~is_outline(pairs, silhouette) & (pairs.c >= 1) & (pairs.face != seen[other]) & (seen[other] >= 0)
+    from_other = walk(other[hidden], owner[hidden], seen[other[hidden]], *mesh)
+    for values, new in zip(pairs, from_other, strict=True):
+        values[..., hidden] = new
+    return some(pairs, is_outline(pairs, silhouette))
+
+
+def all_silhouettes(clip, faces, opposite, width, height):
+    """x, y, w (V,) on screen, and `silhouette_edges` of all faces, bool (F, 3)."""
+    screen = vertices_on_screen(clip, width, height)
+    return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
+
+
+def walked_pairs(face_index, depth, clip, faces, opposite):
+    """The pairs that are blended: those with a steep outline -> Pairs"""
+    with np.errstate(all="ignore"):  # of vertices that no seen face has
+        pairs = outline_pairs(face_index, depth, clip, faces, opposite)
+    return steep_pairs(Pairs(*pairs))
+
+
+def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.18 (3 points)
+    """Eq. (6): grad_picture, colour (H, W, C), pairs of `outline_pairs` -> grad_clip (V, 4).
+
+    The outline's point divides its edge as y0 and y1 say: it is (1 - t) end_0 + t end_1 with
+    t = y0 / (y0 - y1), so it moves along the pair by (1 - t) v_0 + t v_1. `pair_step` and
+    `ends_backward` are given. No check of one picture's gradient passes: the picture jumps. The
+    mean over 200 shifts of the camera does.
+
+    >>> ends = np.array([[0], [1]]), np.array([[0.0], [0.5]]), np.array([[-1.0], [1.0]])
+    >>> pairs = Pairs(np.array([0]), np.array([1]), np.array([0.25]), *ends, None, None)
+    >>> clip = np.array([[-0.5, -1.0, 0.0, 1.0], [0.0, 3.0, 0.0, 1.0]])
+    >>> colour, grad_picture = np.array([[[1.0], [0.0]]]), np.array([[[10.0], [100.0]]])
+    >>> outline_pull_backward(grad_picture, colour, pairs, clip)[:, :2]
+    array([[27.5,  0. ],
+           [27.5,  0. ]])
+    """
+    height, width, channels = colour.shape
+    pixels, grad = colour.reshape(-1, channels), grad_picture.reshape(-1, channels)
+    owner, other, _, ends, _, (y0, y1), *_ = pairs
+    force = ((grad[owner] + grad[other]) / 2 * (pixels[owner] - pixels[other])).sum(1)
+    t = y0 / (y0 - y1)
+    pull = np.stack([1 - t, t]) * force
+    dx, dy = pair_step(owner, other, width)
+    return ends_backward(dx * pull, dy * pull, ends, clip, width, height)
