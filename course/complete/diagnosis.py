@@ -26,7 +26,8 @@ REASONS = ("not seen: hidden or outside", "no pair", "behind the camera", "the s
 def reasons(pairs):
     """How far does each pair of `outline_pairs` get? -> (N,)"""
     failed = {NOT_STEEP: np.abs(pairs.y[1] - pairs.y[0]) < np.abs(pairs.x[1] - pairs.x[0]),
-              SATURATED: (pairs.c <= 0) | is_dropped(pairs.c, pairs.owner, pairs.other)}
+              SATURATED: (pairs.c <= 0) | (pairs.c >= 1)
+                         | is_dropped(pairs.c, pairs.owner, pairs.other)}
     return np.select(list(failed.values()), list(failed), HAS_GRADIENT)
 
 
