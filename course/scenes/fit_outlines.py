@@ -81,14 +81,16 @@ def soft_outline(labs, clip, faces, size, sigma=0.05):
 
 def blend_outline(labs, clip, faces, size):
     """Lab 8's: white faces on black, antialiased."""
+    lab8 = labs.antialiasing
     face_index, depth = labs.rasterization.rasterize(clip, faces, size, size)
-    edges = face_index, depth, clip, faces, labs.antialiasing.opposite_corners(faces)
+    pairs = labs.outline_walk.walked_pairs(face_index, depth, clip, faces,
+                                           lab8.opposite_corners(faces))
     colour = (face_index >= 0)[..., None].astype(float)
 
     def backward(grad_picture):
-        return labs.outlines.antialias_backward(grad_picture[..., None], colour, *edges)[1]
+        return lab8.blend_pairs_backward(grad_picture[..., None], colour, pairs, clip)[1]
 
-    return labs.outlines.antialias(colour, *edges)[..., 0], backward
+    return lab8.blend_pairs(colour, pairs)[..., 0], backward
 
 
 OUTLINES = {"sweep": sweep_outline, "soft": soft_outline, "blend": blend_outline}
