@@ -1,23 +1,18 @@
 """Walk on: the outline of a surface, however small its faces are.
 
-outlines.py asks by which edge a pair's line leaves the owner's face, and gives up unless just this
-edge is a silhouette. Where faces are smaller than pixels, it hardly ever is: the outline belongs to
-a face between the two centres that no pixel shows. So walk on, from face to face, until
-
-    the edge is a silhouette    the surface's outline crosses the pair's line at c
-    c >= 1                      the surface reaches the other's centre: no outline of it is here
-
-If the owner's surface arrives, but the other pixel sees another face there, then that face's
-surface is in front. It walks, too, from the other's centre to the owner's.
+outlines.py gives up unless a pair's line leaves the owner's face by a silhouette. Where faces are
+smaller than pixels, the outline belongs to a face between the two centres that no pixel shows. So
+walk from face to face, until the edge is a silhouette: there the outline crosses at c. If c >= 1,
+the surface reaches the other's centre. If another face is seen there, that one's surface walks,
+from the other's centre to the owner's.
 
 (4) and (5) of antialiasing.py blend at the outline, and their way back is exact. Pictures that stay
-hard have another estimate of what moves when an outline does, `outline_pull_backward`:
+hard have another estimate, Reynolds' boundary term summed over rows and columns:
 
     dL = sum of 1/2 (g_owner + g_other) . (I_owner - I_other) v                             (6)
 
-over all pairs with an outline. Its point on the pair's line moves by v along the pair. g is the
-gradient of the picture I. That is the boundary term of Reynolds' transport theorem, summed over the
-rows for motions in x, and over the columns for motions in y.
+over all pairs with an outline, whose point on the pair's line moves by v along it, for a picture I
+with the gradient g.
 
 Sources: Laine et al. 2020 (nvdiffrast), section 3.6, the first step of each walk; Li et al. 2018,
 the boundary term; Pidhorskyi et al. 2024 (DRTK), (6) with the point at the owner's centre.
@@ -38,7 +33,7 @@ from .outlines import (
 )
 
 
-def enter_faces(owner, other, corner, screen, faces, width):  # exercise 8.15 (3 points)
+def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
     """By which edge does each pair's line leave the face that it comes into? -> Pairs
 
     As `leave_faces`, but for corner (N,), numbered 3 * face + corner as in `opposite_corners`. The
@@ -60,18 +55,18 @@ def enter_faces(owner, other, corner, screen, faces, width):  # exercise 8.15 (3
     raise NotImplementedError("exercise 8.15: enter_faces")
 
 
-def walk(owner, other, face, screen, faces,  # exercise 8.16 (4 points)
-         opposite, silhouette, width):
-    """Each pair's edge where a walk from its owner's centre, over the surface, stops -> Pairs
+def walk(pairs, screen, faces, opposite, silhouette, width):  # exercise 8.16 (5 points)
+    """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
-    The walk begins on face (N,), leaves it by the edge of `leave_faces`, and goes on from face to
-    face by `enter_faces`, as long as c < 1 and the edge is no silhouette, bool (F, 3). Take a step
-    for all pairs that still walk at once. opposite (F, 3) is made by `opposite_corners`.
+    The first steps are done: pairs are those of `leave_faces`. Go on from face to face, by
+    `enter_faces`, as long as c < 1 and the edge is no silhouette, bool (F, 3). Take a step for all
+    pairs that still walk at once. opposite (F, 3) is made by `opposite_corners`.
     `python3 -m course demo --impl labs bunny` draws with it.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
-    >>> pairs = walk(*np.array([[0], [1], [0]]), screen, faces, opposite, opposite < 0, 2)
+    >>> pairs = leave_faces(*np.array([[0], [1], [0]]), screen, faces, 2)
+    >>> pairs = walk(pairs, screen, faces, opposite, opposite < 0, 2)
     >>> pairs.face, pairs.edge, pairs.c.round(3)
     (array([1]), array([1]), array([0.625]))
 
@@ -86,7 +81,7 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (3 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2 points)
     """The pairs of neighbours with an outline between their centres -> Pairs
 
     First the owner's surface walks. The given `is_outline` says where it found one. Where it

