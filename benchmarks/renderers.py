@@ -13,8 +13,10 @@ from reference import (
     antialiasing,
     compiled_pipeline,
     interpolation,
+    outlines,
     pipeline,
     rasterization,
+    transforms,
 )
 
 WORK = {"visible": "Face index and depth",
@@ -82,9 +84,8 @@ def compiled(scene):
 
 
 def drtk(scene):
-    """C++, float32. On the way back it takes more pairs of neighbouring pixels than ours: each in
-    which one shows no face, or in which the face of one lies hidden behind the other, too. Ours,
-    nvdiffrast's, is blended only where the last edge of the owner's own face is a silhouette.
+    """C++, float32. It blends nothing: on the way back the nearer face's point at its own pixel's
+    centre pulls, wherever neighbours see different surfaces, as its rule tells them apart.
     """
     import drtk
     import torch
@@ -114,7 +115,7 @@ def drtk(scene):
         picture = drtk.interpolate(colours, vi, index, weights) * (index >= 0)[:, None]
         picture = drtk.edge_grad_estimator(position, vi, weights, picture, index)
         picture.backward(g)
-        return colours.grad, vertices.grad
+        return colours.grad[0].numpy(), vertices.grad[0].numpy()
 
     return {"visible": lambda: drtk.rasterize_with_depth(on_screen(c), vi, size, size),
             "interpolated": interpolated, "both ways": both_ways,
@@ -129,7 +130,8 @@ def deodr(scene):
     faces, clip, attributes, gradient, opposite = scene
     size = len(gradient)
     x, y, w = rasterization.screen_points(clip, size, size)
-    silhouette = antialiasing.silhouette_edges(x, y, w, faces, opposite)
+    across = outlines.vertices_across(faces, opposite)
+    silhouette = antialiasing.silhouette_edges(x, y, w, faces, across)
     corners = np.ascontiguousarray(faces, np.uint32)
     peer = Scene2D(
         ij=np.stack([x, y], -1), depths=w, faces=corners, faces_uv=corners,
@@ -142,10 +144,15 @@ def deodr(scene):
         integer_pixel_centers=False)
     if (peer.render(sigma=1)[0] != 0).any(-1).mean() < 0.1:  # it sees the back faces
         peer.clockwise = True
-    target = np.zeros((size, size, 3))
-    return {"interpolated": lambda: peer.render(sigma=0),
-            "both ways": lambda: peer.render_compare_and_backward(
-                sigma=1, antialiase_error=False, obs=target),
+    target = peer.render(sigma=1)[0] - gradient / 2  # the error's gradient is twice the difference
+
+    def both_ways():
+        peer.clear_gradients()
+        peer.render_compare_and_backward(sigma=1, antialiase_error=False, obs=target)
+        grad_screen = np.column_stack([peer.ij_b, np.zeros(len(w))])
+        return peer.colors_b, transforms.to_screen_backward(grad_screen, clip, size, size)
+
+    return {"interpolated": lambda: peer.render(sigma=0), "both ways": both_ways,
             "covered": lambda: (peer.render(sigma=0)[0] != 0).any(-1)}
 
 

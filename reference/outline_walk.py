@@ -2,9 +2,10 @@
 
 outlines.py gives up unless a pair's line leaves the owner's face by a silhouette. Where faces are
 smaller than pixels, the outline belongs to a face between the two centres that no pixel shows. So
-walk from face to face, until the edge is a silhouette: there the outline crosses at c. If c >= 1,
-the surface reaches the other's centre. If another face is seen there, that one's surface walks,
-from the other's centre to the owner's.
+walk from face to face, until the edge is a silhouette: there the outline crosses at c. If the walk
+comes to the face that the other pixel sees, the surface simply goes on. If it passes the other's
+centre on another face, that pixel's surface hides it: that one walks, from the other's centre to
+the owner's.
 
 (4) and (5) of antialiasing.py blend at the outline, and their way back is exact. Pictures that stay
 hard have another estimate, Reynolds' boundary term summed over rows and columns:
@@ -69,18 +70,19 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
     return Pairs(owner, other, c, corners[ends], x[ends], y[ends], face, edge)
 
 
-def walk(pairs, screen, faces, opposite, silhouette, width):  # exercise 8.16 (5 points)
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.16 (5 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
     The first steps are done: pairs are those of `leave_faces`. Go on from face to face, by
-    `enter_faces`, as long as c < 1 and the edge is no silhouette, bool (F, 3). Take a step for all
-    pairs that still walk at once. opposite (F, 3) is made by `opposite_corners`.
-    `python3 -m course demo --impl labs bunny` draws with it.
+    `enter_faces`, as long as c < 1, the edge is no silhouette, bool (F, 3), and the face across is
+    not goal (N,), which the other pixel sees. Take a step for all pairs that still walk at once.
+    opposite (F, 3) is made by `opposite_corners`. `python3 -m course demo --impl labs bunny` draws
+    with it.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
     >>> pairs = leave_faces(*np.array([[0], [1], [0]]), screen, faces, 2)
-    >>> pairs = walk(pairs, screen, faces, opposite, opposite < 0, 2)
+    >>> pairs = walk(pairs, np.array([-1]), screen, faces, opposite, opposite < 0, 2)
     >>> pairs.face, pairs.edge, pairs.c.round(3)
     (array([1]), array([1]), array([0.625]))
 
@@ -91,9 +93,11 @@ def walk(pairs, screen, faces, opposite, silhouette, width):  # exercise 8.16 (5
     go = np.flatnonzero(pairs.c > -np.inf)
     for _ in range(len(faces)):
         go = go[(pairs.c[go] < 1) & ~silhouette[pairs.face[go], pairs.edge[go]]]
+        across = opposite[pairs.face[go], pairs.edge[go]]
+        on = across // 3 != goal[go]
+        go, across = go[on], across[on]
         if len(go) == 0:
             break
-        across = opposite[pairs.face[go], pairs.edge[go]]
         step = enter_faces(pairs.owner[go], pairs.other[go], across, screen, faces, width)
         for values, new in zip(pairs, step, strict=True):
             values[..., go] = new
@@ -109,8 +113,8 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2
     """The pairs of neighbours with an outline between their centres -> Pairs
 
     First the owner's surface walks. The given `is_outline` says where it found one. Where it
-    arrives without one (c >= 1) on another face than the other pixel sees, and that one sees a
-    face, the other's surface walks, and that pixel is the owner. face_index, depth (H, W), clip
+    passes the other's centre (c >= 1) without one, and the other pixel sees a face, that pixel's
+    surface walks, and it is the owner. face_index, depth (H, W), clip
     (V, 4), faces, opposite (F, 3). `all_silhouettes` is given. Both kinds are seen in
     `python3 -m course demo --impl labs bunny`.
 
@@ -126,11 +130,11 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2
 
     def walked(owner, other):
         pairs = leave_faces(owner, other, seen[owner], screen, faces, width)
-        return walk(pairs, screen, faces, opposite, silhouette, width)
+        return walk(pairs, seen[other], screen, faces, opposite, silhouette, width)
 
     owner, other = neighbours(face_index, depth)
     pairs = walked(owner, other)
-    hidden = ~is_outline(pairs, silhouette) & (pairs.c >= 1) & (pairs.face != seen[other]) & (seen[other] >= 0)
+    hidden = ~is_outline(pairs, silhouette) & (pairs.c >= 1) & (seen[other] >= 0)
     for values, new in zip(pairs, walked(other[hidden], owner[hidden]), strict=True):
         values[..., hidden] = new
     return some(pairs, is_outline(pairs, silhouette))

@@ -61,9 +61,8 @@ def turns(points, faces, corner, b, c, own):
 
 
 @kernel
-def is_silhouette(surface, face, edge):
+def is_silhouette(points, faces, opposite, silhouettes, face, edge):
     """Eq. (1) for one edge of a face. Bit k is found for edge k, with KNOWN."""
-    points, faces, opposite, silhouettes = surface
     if silhouettes[face] == 0:
         a = point(points, faces[face, 0])
         b = point(points, faces[face, 1])
@@ -79,13 +78,13 @@ def is_silhouette(surface, face, edge):
 @kernel
 def is_below(p):
     """Is a corner below y = 0? w < 0 mirrors it."""
-    return np.sign(p.w) * p.y < 0
+    return p.y < 0 if p.w > 0 else p.y > 0
 
 
 @kernel
 def is_in_front(p, q):
-    """Does an edge cross y = 0 in front of the camera?"""
-    return np.sign(p.w) * abs(q.y) + np.sign(q.w) * abs(p.y) > 0
+    """Does an edge that crosses y = 0 do so in front of the camera?"""
+    return (p.w > 0 and q.w > 0) or np.sign(p.w) * abs(q.y) + np.sign(q.w) * abs(p.y) > 0
 
 
 @kernel
@@ -140,57 +139,58 @@ def enter(points, faces, corner, frame):
 
 
 @kernel
-def walk(surface, face, frame):
-    """The Crossing where a walk from the frame's beginning stops."""
-    points, faces, opposite, _ = surface
+def walk(points, faces, opposite, silhouettes, face, goal, frame):
+    """The Crossing where a walk from the frame's beginning stops, and whether at an outline."""
     at = leave(points, faces, face, frame)
     for _ in range(len(faces)):
-        if not -np.inf < at.c < 1 or is_silhouette(surface, at.face, at.edge):
+        if not -np.inf < at.c <= 1:
             break
-        at = enter(points, faces, opposite[at.face, at.edge], frame)
-    return at
+        if is_silhouette(points, faces, opposite, silhouettes, at.face, at.edge):
+            return at, at.c > -WINDOW
+        across = opposite[at.face, at.edge]
+        if at.c == 1 or across // 3 == goal:
+            break
+        at = enter(points, faces, across, frame)
+    return at, False
 
 
 @kernel
-def frame_of(axis, pixel, is_first, width):
-    """The Frame of the pair that begins at a pixel, which is the first of the two or not."""
-    along = 1.0 if is_first else -1.0
-    return Frame(int(pixel) % width + 0.5, int(pixel) // width + 0.5,
-                 along * (1 - axis), along * axis)
+def frame_of(axis, place, is_first):
+    """The Frame of a pair whose first pixel has this place (row, column), from its first on or not.
+    """
+    row, column = place
+    if is_first:
+        return Frame(column + 0.5, row + 0.5, 1.0 - axis, 1.0 * axis)
+    return Frame(column + 1.5 - axis, row + 0.5 + axis, axis - 1.0, -1.0 * axis)
 
 
 @kernel
 def pairs_along(axis, screen, surface, rows, pairs, n):
     """The pairs along x (axis 0) or y (axis 1), after the first n -> how many there are now."""
-    face_index, _, width, height = screen
+    face_index, depth, width, height = screen
+    points, faces, opposite, silhouettes = surface
     step, columns = (1, max(width - 1, 0)) if axis == 0 else (width, width)
     for row in range(rows[0], min(rows[1], height - axis)):
-        for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
+        for column in range(columns):
+            first = np.uintp(row * width + column)
             second = first + np.uintp(step)
-            if face_index[first] != face_index[second]:
-                n += find_pair(axis, screen, surface, (first, second), pairs, n)
+            if face_index[first] == face_index[second]:
+                continue
+            is_first = depth[first] < depth[second]
+            near = np.intp(face_index[first if is_first else second])
+            far = np.intp(face_index[second if is_first else first])
+            for _ in range(2):
+                at, is_found = walk(points, faces, opposite, silhouettes, near, far,
+                                    frame_of(axis, (row, column), is_first))
+                if is_found or at.c < 1 or far < 0:
+                    break
+                near, far, is_first = far, near, not is_first
+            is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
+            if is_found and is_steep and not (at.c == 0.5 and is_first):
+                owner, other = (first, second) if is_first else (second, first)
+                put(pairs, n, owner, other, at)
+                n += 1
     return n
-
-
-@kernel
-def find_pair(axis, screen, surface, pixels, pairs, n):
-    """1 if two pixels that see different faces are a blended pair, which is then number n, or 0."""
-    face_index, depth, width, _ = screen
-    first, second = pixels
-    is_first = depth[first] < depth[second]
-    owner, other = (first, second) if is_first else (second, first)
-    at = walk(surface, np.intp(face_index[owner]), frame_of(axis, owner, is_first, width))
-    if (at.c >= 1 and at.face != face_index[other] and face_index[other] >= 0
-            and not (at.c == 1 and is_silhouette(surface, at.face, at.edge))):
-        owner, other, is_first = other, owner, not is_first
-        at = walk(surface, np.intp(face_index[owner]), frame_of(axis, owner, is_first, width))
-    is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
-    is_dropped = at.c == 0.5 and is_first
-    if (-WINDOW < at.c <= 1 and is_steep and not is_dropped
-            and is_silhouette(surface, at.face, at.edge)):
-        put(pairs, n, owner, other, at)
-        return 1
-    return 0
 
 
 @kernel

@@ -135,7 +135,7 @@ def covers(corners, x, y):
     return min(e) > 0 or max(e) < 0
 
 
-def by_search(owner, other, face, screen, faces, opposite, silhouette, width):
+def by_search(owner, other, face, goal, screen, faces, opposite, silhouette, width):
     """The walk of one pair, face by face: face, edge, c where it stops."""
     entered = None
     while True:
@@ -143,9 +143,10 @@ def by_search(owner, other, face, screen, faces, opposite, silhouette, width):
         places = {k: edges_in_space.crossing(corners[i], corners[j])
                   for k, (i, j) in enumerate(EDGES) if k != entered}
         edge = max(places, key=places.get)
-        if places[edge] >= 1 or silhouette[face, edge]:
+        across, corner = divmod(int(opposite[face, edge]), 3)
+        if places[edge] >= 1 or silhouette[face, edge] or across == goal:
             return face, edge, places[edge]
-        face, entered = divmod(int(opposite[face, edge]), 3)
+        face, entered = across, corner
 
 
 def walkers(rng, screen, faces, count, width=7):
@@ -160,11 +161,13 @@ def walkers(rng, screen, faces, count, width=7):
     return np.array(found).T
 
 
-def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width):
-    """`walk` from the edges by which the lines leave the first faces, found in space."""
+def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width, goal=None):
+    """`walk` from the edges by which the lines leave the first faces, found in space, to a goal
+    that is nowhere."""
     first = [begun(*one, screen, faces, width) for one in zip(owner, other, face, strict=True)]
     pairs = impl.Pairs(*(np.array(field).T for field in zip(*first, strict=True)))
-    return as_pairs(impl, impl.walk(pairs, screen, faces, opposite, silhouette, width))
+    goal = np.full(len(owner), -1) if goal is None else goal
+    return as_pairs(impl, impl.walk(pairs, goal, screen, faces, opposite, silhouette, width))
 
 
 def begun(owner, other, face, screen, faces, width):
@@ -203,6 +206,17 @@ def test_a_walk_ends_at_the_other_s_centre(impl):
 
 
 @exercise("8.16")
+def test_a_walk_ends_before_the_face_that_the_other_sees(impl):
+    """It goes on over it, and what lies behind counts."""
+    screen, faces = RIBBON
+    opposite = opposite_of(faces)
+    scene = *np.array([[0], [1], [1]]), screen, faces, opposite, opposite < 0, 2
+    for goal in 2, 3:
+        pairs = walked(impl, *scene, np.array([goal]))
+        assert_equal(pairs.face, [goal - 1])
+
+
+@exercise("8.16")
 def test_walks_are_those_of_a_search(impl, rng):
     """Walks of different lengths are mixed up: those that are over go on, or all stop with the
     first. Or the result is that of the first face."""
@@ -212,8 +226,10 @@ def test_walks_are_those_of_a_search(impl, rng):
         silhouette = (rng.random(faces.shape) < 0.15) | (opposite < 0)
         scene = screen, faces, opposite, silhouette, 7
         owner, other, face = walkers(rng, screen, faces, 40)
-        pairs = walked(impl, owner, other, face, *scene)
-        expected = [by_search(*one, *scene) for one in zip(owner, other, face, strict=True)]
+        goal = rng.integers(0, len(faces), len(face))
+        goal[goal == face] = -1
+        pairs = walked(impl, owner, other, face, *scene, goal)
+        expected = [by_search(*one, *scene) for one in zip(owner, other, face, goal, strict=True)]
         for got, wanted in zip((pairs.face, pairs.edge), np.array(expected).T[:2], strict=True):
             assert_equal(got, wanted.astype(int))
         assert_close(pairs.c, np.array(expected).T[2])

@@ -30,13 +30,16 @@ def enter_faces(owner, other, corner, screen, faces, width):
     return joined(found) if found else leave_faces(owner, other, corner, screen, faces, width)
 
 
-def walk(pairs, screen, faces, opposite, silhouette, width):
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):
     found = [Pairs(*(np.asarray(values)[..., :0] for values in pairs))]
     for n in range(len(pairs[0])):
         pair = Pairs(*(np.asarray(values)[..., n:n + 1] for values in pairs))
         one = pair[:2]
         while -np.inf < pair.c[0] < 1 and not silhouette[pair.face[0], pair.edge[0]]:
-            pair = enter_faces(*one, opposite[pair.face, pair.edge], screen, faces, width)
+            across = opposite[pair.face, pair.edge]
+            if across[0] // 3 == goal[n]:
+                break
+            pair = enter_faces(*one, across, screen, faces, width)
         found.append(pair)
     return joined(found)
 
@@ -52,10 +55,10 @@ def outline_pairs(face_index, depth, clip, faces, opposite):
                 break
             one = leave_faces(np.array([owner]), np.array([other]), seen[[owner]], screen, faces,
                               width)
-            one = walk(one, screen, faces, opposite, silhouette, width)
+            one = walk(one, seen[[other]], screen, faces, opposite, silhouette, width)
             if silhouette[one.face[0], one.edge[0]] and one.c[0] <= 1:
                 found.append(one)
                 break
-            if one.c[0] < 1 or one.face[0] == seen[other]:
+            if one.c[0] < 1:
                 break
     return joined(found)
