@@ -10,13 +10,13 @@ the owner's.
 (4) and (5) of antialiasing.py blend at the outline, and their way back is exact. Pictures that stay
 hard have another estimate, Reynolds' boundary term summed over rows and columns:
 
-    dL = sum of 1/2 (g_owner + g_other) . (I_owner - I_other) v                             (6)
+    dL = sum of 1/2 (g_owner + g_other) . (I_owner - I_other) v                             (8)
 
 over all pairs with an outline, whose point on the pair's line moves by v along it, for a picture I
 with the gradient g.
 
 Sources: Laine et al. 2020 (nvdiffrast), section 3.6, the first step of each walk; Li et al. 2018,
-the boundary term; Pidhorskyi et al. 2024 (DRTK), (6) with the point at the owner's centre.
+the boundary term; Pidhorskyi et al. 2024 (DRTK), (8) with the point at the owner's centre.
 """
 import numpy as np
 
@@ -154,7 +154,7 @@ def walked_pairs(face_index, depth, clip, faces, opposite):
 
 
 def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.18 (3 points)
-    """Eq. (6): grad_picture, colour (H, W, C), pairs of `outline_pairs` -> grad_clip (V, 4).
+    """Eq. (8): grad_picture, colour (H, W, C), pairs of `outline_pairs` -> grad_clip (V, 4).
 
     The outline's point divides its edge as y0 and y1 say: it is (1 - t) end_0 + t end_1 with
     t = y0 / (y0 - y1), so it moves along the pair by (1 - t) v_0 + t v_1. `pair_step` and

@@ -405,6 +405,27 @@ def test_it_pulls_from_the_owner_to_the_other(impl):
         assert_close(got, np.outer([0.5, 0.5, 0], way))
 
 
+@exercise("8.18")
+def test_pulls_are_those_of_a_search(impl, rng):
+    """Pulls of several pairs at one vertex do not add up, or w is left out on the way to clip."""
+    (owner, other), (x, _), (low, high) = pairs_around(rng, 30), rng.normal(size=(2, 2, 30)), (
+        rng.uniform(0.1, 2, (2, 30)))
+    ends, clip = rng.permuted(np.tile(np.arange(9), (30, 1)), axis=1).T[:2], rng.normal(size=(9, 4))
+    clip[:, 3] = rng.uniform(0.5, 2, 9)
+    grad_picture, colour = rng.normal(size=(2, 9, 7, 3))
+    pairs = impl.Pairs(owner, other, x, ends, np.stack([x, x]), np.stack([-low, high]), owner, ends[0])
+    expected = np.zeros((9, 4))
+    for n, (a, b) in enumerate(zip(owner, other, strict=True)):
+        g, shade = (values.reshape(-1, 3)[[a, b]] for values in (grad_picture, colour))
+        force = g.mean(0) @ (shade[0] - shade[1])
+        way = np.array([b % 7 - a % 7, b // 7 - a // 7]) * [7 / 2, 9 / 2]  # pixels to ndc
+        for vertex, share in zip(ends[:, n], (high[n], low[n]), strict=True):
+            part = way * force * share / (low[n] + high[n]) / clip[vertex, 3]
+            expected[vertex, :2] += part
+            expected[vertex, 3] -= part @ clip[vertex, :2] / clip[vertex, 3]
+    assert_close(impl.outline_pull_backward(grad_picture, colour, pairs, clip), expected)
+
+
 def around_a_triangle(impl, triangle, size):
     """Its coverage (H, W, 1), and all pairs of a centre in it with one outside."""
     corners = np.column_stack([triangle, np.ones(3)])
