@@ -100,13 +100,13 @@ def cotangents(triangles):  # step 13.3
     raise NotImplementedError("exercise 13.3: cotangents")
 
 
-def cotangent_laplacian(vertices, faces):  # exercise 13.5 (4 points)
+def cotangent_laplacian(vertices, faces):  # exercise 13.4 (4 points)
     """Eq. (3) and M: the edges (E, 2) of a mesh, their weights (E,), and areas (V,), the masses.
 
     vertices (V, 3), faces (F, 3). The given `mesh.edges(faces)` returns the edges, and face_edges
     (F, 3): which of them lies opposite to each corner. An edge of one face has half of one
-    cotangent. The mass of a vertex is a third of the area of all its faces. Bunnies become smooth
-    by it in `python3 -m course demo --impl labs smoothed`.
+    cotangent. The mass of a vertex is a third of the area of all its faces. `cotangents` is a step
+    on the way. A rough bunny becomes smooth by it: `python3 -m course demo --impl labs smoothed`.
 
     >>> cotangent_laplacian(np.array([[0.0, 0, 0], [6, 0, 0], [0, 3, 0]]), np.array([[0, 1, 2]]))
     (array([[0, 1],
@@ -116,13 +116,14 @@ def cotangent_laplacian(vertices, faces):  # exercise 13.5 (4 points)
     Fine print. An edge of three faces has half of three cotangents. The area of a vertex without a
     face is 0. A face without area adds 0 to all weights: see `cross_lengths`.
     """
-    raise NotImplementedError("exercise 13.5: cotangent_laplacian")
+    raise NotImplementedError("exercise 13.4: cotangent_laplacian")
 
 
-def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
+def laplacian_entries(edges, weights, vertex_count):  # exercise 13.5 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up.
+    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up. Every step
+    of `python3 -m course demo --impl labs smoothed relaxation` solves with it, or multiplies.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -130,7 +131,7 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
            [ 0.,  0.,  0.],
            [-5.,  0.,  5.]])
     """
-    raise NotImplementedError("exercise 13.6: laplacian_entries")
+    raise NotImplementedError("exercise 13.5: laplacian_entries")
 
 
 def laplacian(edges, weights, vertex_count):
@@ -139,7 +140,7 @@ def laplacian(edges, weights, vertex_count):
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
 
-def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
+def cotangents_backward(grad_cotangents, triangles):  # extra 13.6 (4 points)
     """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3).
 
     >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
@@ -188,7 +189,7 @@ def laplacian_energy(x, edges, weights, mass):
     return (y * per_mass(y, mass)).sum()
 
 
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # extra 13.8 (4 points)
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # extra 13.7 (4 points)
     """Backward of eq. (4): grad_energy -> grad_x (V, C), grad_weights (E,), grad_mass (V,).
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
@@ -241,10 +242,10 @@ def smooth_explicit(x, edges, weights, mass, step):
     return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
-def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
+def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.8 (2 points)
     """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C), also for C = 1.
 
-    `laplacian` gives L. It makes the rough bunny smooth: `python3 -m course demo smoothed`.
+    `laplacian` gives L. Noise goes by it in `python3 -m course demo --impl labs smoothed`.
 
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
@@ -254,7 +255,7 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     Fine print. A vertex of mass 0 moves as (6) says. If it has no edge, it stays: its row is all 0,
     so the matrix has no inverse.
     """
-    raise NotImplementedError("exercise 13.10: smooth_implicit")
+    raise NotImplementedError("exercise 13.8: smooth_implicit")
 
 
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
@@ -283,7 +284,7 @@ def enclosed_volume(triangles):
     return (x0 * np.cross(x1, x2)).sum() / 6
 
 
-def restore_volume(vertices, faces, volume):  # extra 13.13 (3 points)
+def restore_volume(vertices, faces, volume):  # extra 13.9 (3 points)
     """Eq. (7): a closed surface that has got smaller gets its volume back -> vertices (V, 3).
 
     vertices (V, 3), faces (F, 3). Do this five times: move all vertices along the gradient of their
@@ -318,11 +319,12 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.16 (3 points)
+def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.13 (3 points)
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
     x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
-    edges (E, 2), weights (E,) and lambda, all >= 0.
+    edges (E, 2), weights (E,) and lambda, all >= 0. A ball becomes a bunny by it:
+    `python3 -m course demo --impl labs large_steps`.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> spread = np.array([[0, 1]]), np.ones(1), 1.0
@@ -330,4 +332,4 @@ def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.16 (
     >>> x[:, 0].round(6)  # grad_u = (1, 2), u moves by (-1, -2), and x by a third of (-4, -5)
     array([-1.333333, -1.666667])
     """
-    raise NotImplementedError("exercise 13.16: large_step")
+    raise NotImplementedError("exercise 13.13: large_step")

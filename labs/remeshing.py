@@ -53,7 +53,7 @@ def flip(quads):
     return quads[:, [[0, 3, 2], [1, 2, 3]]]
 
 
-def delaunay_gain(corners):  # step 13.14
+def delaunay_gain(corners):  # step 13.10
     """Eq. (8): gamma + delta - pi (N,), positive where an edge should flip.
 
     corners (N, 4, 3): the positions of a, b, c, d. `corner_angles` gives angles.
@@ -65,7 +65,7 @@ def delaunay_gain(corners):  # step 13.14
     Fine print. Tiny angles, and those where corners coincide, are right as `corner_angles` has
     them.
     """
-    raise NotImplementedError("exercise 13.14: delaunay_gain")
+    raise NotImplementedError("exercise 13.10: delaunay_gain")
 
 
 def valence_gain(valence, target):
@@ -94,7 +94,7 @@ def can_flip(vertices, faces, quads):
     return alike & ~np.isin(new, edges @ to_key)
 
 
-def flip_best(vertices, faces, quads, quad_faces, gain=None):  # exercise 13.17 (4 points)
+def flip_best(vertices, faces, quads, quad_faces, gain=None):  # exercise 13.11 (4 points)
     """Flip, all at once, the edges whose flip is best -> faces (F, 3).
 
     quads (N, 4), quad_faces (N, 2): some of `edge_quads`. gain (N,): what each flip gains. None:
@@ -111,7 +111,7 @@ def flip_best(vertices, faces, quads, quad_faces, gain=None):  # exercise 13.17 
 
     Fine print. Of equal flips at a vertex, one is done: the last. Quads may be none.
     """
-    raise NotImplementedError("exercise 13.17: flip_best")
+    raise NotImplementedError("exercise 13.11: flip_best")
 
 
 def until_settled(faces, flipped):
@@ -143,7 +143,7 @@ def flip_to_valence_6(vertices, faces):
     return until_settled(faces, flipped)
 
 
-def relax_step(vertices, normals, edges, rate):  # extra 13.15 (3 points)
+def relax_step(vertices, normals, edges, rate):  # extra 13.12 (3 points)
     """Eq. (9): vertices (V, 3) slide towards the mean of their neighbours -> x' (V, 3).
 
     normals (V, 3) are the n, of unit length. edges (E, 2), and a rate from 0 to 1.

@@ -203,7 +203,7 @@ def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
 
 
-@exercise("13.4")
+@exercise("13.6")
 def test_gradients_of_cotangents_on_paper(impl):
     """The area is held fixed. Its part has the wrong sign, or a normal not of length 1, or only one
     cotangent. The corner itself, where both sides start, gets nothing. p and q, or corners, are
@@ -219,7 +219,7 @@ def test_gradients_of_cotangents_on_paper(impl):
     assert_close(impl.cotangents_backward(np.array([1.0, 0.0, 0.0]), triangle), by_0)
 
 
-@exercise("13.4")
+@exercise("13.6")
 def test_gradients_of_cotangents_are_central_differences(impl, rng, gradcheck):
     """A term is missing: that of the area, or that of one of the two sides at a corner."""
     def forward(triangles):
@@ -229,7 +229,7 @@ def test_gradients_of_cotangents_are_central_differences(impl, rng, gradcheck):
     gradcheck(forward, impl.cotangents_backward, (triangles(rng, 4, 2),), name="cotangents")
 
 
-@exercise("13.4", fine_print=True)
+@exercise("13.6", fine_print=True)
 def test_flat_triangles_have_no_gradient(impl, rng):
     """NaN, or a huge gradient, where the cotangents are set to 0."""
     a, b, c = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.95e-12, 1.0]])
@@ -248,7 +248,7 @@ TWO = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, -4.0, 0
 TWO_FACES = np.array([[0, 1, 2], [1, 0, 3]])  # cotangents 1/2, 3/2, 1/8 and 3/4, 1/4, 13/16
 
 
-@exercise("13.5")
+@exercise("13.4")
 def test_an_edge_of_two_faces_has_half_of_both_cotangents(impl):
     """The half is missing, or the mean is that of all angles. One of the two faces is forgotten, as
     by += with repeated indices. The cotangent is that of another corner: it lies opposite.
@@ -258,7 +258,7 @@ def test_an_edge_of_two_faces_has_half_of_both_cotangents(impl):
     assert_close(weights[0], (1 / 8 + 13 / 16) / 2)
 
 
-@exercise("13.5")
+@exercise("13.4")
 def test_an_edge_of_one_face_has_half_of_one_cotangent(impl, rng):
     """It is divided by the number of faces. Edges are in another order than `mesh.edges` has them.
     """
@@ -268,7 +268,7 @@ def test_an_edge_of_one_face_has_half_of_one_cotangent(impl, rng):
     assert_close(weights[1:], [3 / 4, 3 / 8, 1 / 4, 1 / 8])
 
 
-@exercise("13.5")
+@exercise("13.4")
 def test_a_mass_is_a_third_of_the_area_around(impl, rng):
     """The area is that of the last face, or of twice the size, or a half of it. The thirds of a
     vertex's faces are averaged. It is a valence.
@@ -278,7 +278,7 @@ def test_a_mass_is_a_third_of_the_area_around(impl, rng):
     assert_close(areas, 9 * np.array([4.0, 4.0, 4 / 3, 8 / 3]))
 
 
-@exercise("13.5")
+@exercise("13.4")
 def test_obtuse_angles_count_as_they_are(impl):
     """A negative cotangent is set to 0, or made positive: a weight may be negative."""
     flat = TWO * [1, 0.25, 1]
@@ -299,7 +299,7 @@ def slow_laplacian(vertices, faces):
     return np.array(sorted(weights)), np.array([weights[edge] for edge in sorted(weights)]), areas
 
 
-@exercise("13.5")
+@exercise("13.4")
 def test_a_whole_mesh_has_the_weights_and_areas_of_its_faces(impl, rng):
     """A vertex of many faces keeps one of its thirds; it is right for two faces alone."""
     for vertices, faces in mesh.icosphere(80), mesh.grid(18):
@@ -308,7 +308,7 @@ def test_a_whole_mesh_has_the_weights_and_areas_of_its_faces(impl, rng):
                      rtol=1e-7, atol=1e-9)
 
 
-@exercise("13.5", fine_print=True)
+@exercise("13.4", fine_print=True)
 def test_edges_of_three_faces_and_vertices_of_none(impl, rng):
     """Two faces are expected at each edge; the areas end at the last vertex that has a face."""
     vertices = rng.normal(size=(7, 3))
@@ -317,7 +317,7 @@ def test_edges_of_three_faces_and_vertices_of_none(impl, rng):
                  rtol=1e-7, atol=1e-9)
 
 
-@exercise("13.5", fine_print=True)
+@exercise("13.4", fine_print=True)
 def test_a_face_without_area_counts_for_nothing(impl):
     """NaN or infinity, in the weights of a whole mesh."""
     _, weights, areas = impl.cotangent_laplacian(np.vstack([TWO, TWO[1]]),
@@ -355,7 +355,7 @@ def apart(full):
     return full - np.diag(np.diag(full)), np.diag(full).copy()
 
 
-@exercise("13.6")
+@exercise("13.5")
 def test_each_edge_stands_in_the_rows_of_both_ends(impl):
     """An edge is entered in one direction only, from i to j: the entry from j to i is missing, and
     L is not symmetric.
@@ -364,7 +364,7 @@ def test_each_edge_stands_in_the_rows_of_both_ends(impl):
     assert_equal(beside != 0, apart(CORNER_MATRIX)[0] != 0)
 
 
-@exercise("13.6")
+@exercise("13.5")
 def test_beside_the_diagonal_are_the_negative_weights(impl):
     """The sign: the weights are negative here, and it is not -L. Rows are divided by their sums, as
     in M^-1 L, which gives the mean of the neighbours. The weights are left out or halved.
@@ -373,7 +373,7 @@ def test_beside_the_diagonal_are_the_negative_weights(impl):
     assert_close(beside, apart(CORNER_MATRIX)[0])
 
 
-@exercise("13.6")
+@exercise("13.5")
 def test_the_diagonal_is_the_sum_of_the_weights_at_each_vertex(impl):
     """The diagonal is left out or negative. It is 1, or the valence, the number of edges. An edge
     counts at one end only, or twice. += adds once to a repeated index, np.add.at each time.
@@ -382,7 +382,7 @@ def test_the_diagonal_is_the_sum_of_the_weights_at_each_vertex(impl):
     assert_close(diagonal, np.diag(CORNER_MATRIX))
 
 
-@exercise("13.6")
+@exercise("13.5")
 def test_its_rows_sum_to_zero(impl, rng):
     """An edge is lost or entered twice; the number of vertices is taken from the edges."""
     edges, _ = graph(rng, 6)
@@ -393,7 +393,7 @@ def test_its_rows_sum_to_zero(impl, rng):
     assert_close(got.sum(1), np.zeros(6))
 
 
-@exercise("13.8")
+@exercise("13.7")
 def test_gradients_of_the_energy_on_paper(impl):
     """L is applied once and not twice, or grad_x is not divided by the mass. The 2 of the square or
     grad_energy is missing. grad_weights is that of one end. grad_mass has the wrong sign, no
@@ -406,7 +406,7 @@ def test_gradients_of_the_energy_on_paper(impl):
     assert_close(got, ([[3.0], [-15.0], [12.0]], [-1.5, 16.0], [-1.0, -6.25, -2.25]))
 
 
-@exercise("13.8")
+@exercise("13.7")
 def test_gradients_of_the_energy_are_central_differences(impl, rng, gradcheck):
     """The gradient by the weights or by the mass; or channels are mixed up."""
     edges, weights = graph(rng)
@@ -418,7 +418,7 @@ def test_gradients_of_the_energy_are_central_differences(impl, rng, gradcheck):
               name="laplacian_energy")
 
 
-@exercise("13.8", fine_print=True)
+@exercise("13.7", fine_print=True)
 def test_what_has_no_mass_has_no_part_in_the_gradient(impl):
     """0/0 where the mass is 0; or its neighbours' part is lost as well."""
     x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
@@ -438,7 +438,7 @@ WAVES = np.array([wave(k) for k in range(5)])                    # of L with wei
 EIGENVALUES = 2 - 2 * np.cos(2 * np.pi * np.arange(5) / 8)
 
 
-@exercise("13.10")
+@exercise("13.8")
 def test_implicit_smoothing_on_paper(impl):
     """The mass is left out on the left, on the right, or on both sides. It multiplies L, or divides
     its columns, not its rows. The sign of L is wrong, or the step is left out. No system is solved:
@@ -451,7 +451,7 @@ def test_implicit_smoothing_on_paper(impl):
     assert_close(got, expected)
 
 
-@exercise("13.10")
+@exercise("13.8")
 def test_implicit_smoothing_solves_the_system(impl, rng):
     """One channel, or several: `spsolve` returns (V,) for one. The mass is left out on one side."""
     edges, weights = graph(rng)
@@ -463,7 +463,7 @@ def test_implicit_smoothing_solves_the_system(impl, rng):
         assert_close(impl.smooth_implicit(x, edges, weights, mass, 0.7), expected)
 
 
-@exercise("13.10", fine_print=True)
+@exercise("13.8", fine_print=True)
 def test_what_has_no_mass_follows_its_edges_and_stays_without_one(impl, rng):
     """A system without an inverse. A mass of 0 is replaced, or its vertex is held, though it has
     edges.
@@ -476,7 +476,7 @@ def test_what_has_no_mass_follows_its_edges_and_stays_without_one(impl, rng):
     assert_close(impl.smooth_implicit(x, edges, weights / 20, mass, 14.0), expected)
 
 
-@exercise("13.10")
+@exercise("13.8")
 def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
     """The explicit step: beyond a small s it explodes."""
     x, mass = rng.normal(size=(8, 3)), rng.uniform(1, 2, 8)
@@ -495,7 +495,7 @@ def slow_volume(vertices, faces):
     return sum(np.linalg.det(vertices[face]) for face in faces) / 6
 
 
-@exercise("13.13")
+@exercise("13.9")
 def test_a_regular_body_keeps_its_shape_and_its_centre(impl, rng):
     """Only some vertices move, or they move towards the centre. The gradient is not summed up over
     a vertex's faces. It is scaled, so it is right for bodies around the origin alone.
@@ -508,7 +508,7 @@ def test_a_regular_body_keeps_its_shape_and_its_centre(impl, rng):
     assert_close(got, 1.5 * vertices @ turn + place)
 
 
-@exercise("13.13")
+@exercise("13.9")
 def test_the_volume_is_the_wanted_one(impl, rng):
     """One step alone, or a step that is too long: |gradient| is not squared, or a third is missing.
     The missing volume is that of the first step in all of them.
@@ -520,7 +520,7 @@ def test_the_volume_is_the_wanted_one(impl, rng):
         assert_close(slow_volume(got, faces), wanted, rtol=1e-9)
 
 
-@exercise("13.13")
+@exercise("13.9")
 def test_each_step_goes_along_the_gradient(impl, rng):
     """Along the normals, or from the centre: the gradient is that of the volume, at each step anew.
     """
@@ -541,7 +541,7 @@ def test_each_step_goes_along_the_gradient(impl, rng):
 
 # --- large steps -------------------------------------------------------------------------------
 
-@exercise("13.16")
+@exercise("13.13")
 def test_a_large_step_on_paper(impl):
     """The step is made in x, not in u. x is taken for u, or u is returned. The gradient is not
     spread: grad_x is taken for grad_u. Or it is spread twice, or multiplied by (I + lambda L) and
@@ -554,7 +554,7 @@ def test_a_large_step_on_paper(impl):
     assert_close(got, (np.array([[-1.0], [7.0]]) / 3, mean, square), rtol=1e-7)
 
 
-@exercise("13.16")
+@exercise("13.13")
 def test_a_large_step_is_a_step_in_u(impl, rng):
     """mean and square are those of the gradients by x, or old ones. The number of the step, the
     rate or the weights are left out.
@@ -571,7 +571,7 @@ def test_a_large_step_is_a_step_in_u(impl, rng):
     assert_close(got, (np.linalg.solve(system, u), m, s), rtol=1e-8)
 
 
-@exercise("13.16")
+@exercise("13.13")
 def test_a_large_step_keeps_what_has_no_gradient(impl, rng):
     """x itself is smoothed: without a gradient it must stay."""
     edges, weights = graph(rng)

@@ -7,7 +7,7 @@ from course.given import mesh
 from labkit.checks import assert_close, assert_equal, exercise
 
 
-@exercise("13.14")
+@exercise("13.10")
 def test_gains_on_paper(impl):
     """pi is not taken away, or the sign is wrong. The angles are at a and b, the ends of the edge,
     not opposite to it. They are those of the new faces, after the flip, or of a wrong face, as acd.
@@ -23,7 +23,7 @@ def test_gains_on_paper(impl):
     assert_close(impl.delaunay_gain(np.array([half, wide, bent, square, kite])), expected)
 
 
-@exercise("13.14")
+@exercise("13.10")
 def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
     """In the plane the sign is that of the determinant that asks if d lies in the circle abc."""
     angles = (np.arange(4) + rng.uniform(0.1, 0.9, (60, 4))) * np.pi / 2
@@ -41,7 +41,7 @@ def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
     assert_equal(gain[clear] > 0, (inside * winding > 0)[clear])
 
 
-@exercise("13.14")
+@exercise("13.10")
 def test_gains_are_sums_of_two_angles(impl, rng):
     """In space; the four corners come in another order; or an angle of another corner is taken."""
     corners = rng.normal(size=(9, 4, 3))
@@ -49,7 +49,7 @@ def test_gains_are_sums_of_two_angles(impl, rng):
     assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
 
 
-@exercise("13.14", fine_print=True)
+@exercise("13.10", fine_print=True)
 def test_gains_of_tiny_angles_and_of_none(impl):
     """arccos: 1e-9 comes out as 0, and NaN where two corners coincide."""
     a, b = [0.0, 0.0, 2.0], [0.0, 1e-9, 2.0]
@@ -99,7 +99,7 @@ AB = np.array([[0, 1, 2], [1, 0, 3]])
 CD = np.array([[0, 3, 2], [1, 2, 3]])
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_edges_that_are_not_delaunay_flip(impl, rng):
     """Nothing flips, all edges do, or the wrong ones: (8) is turned round. A face is written in the
     other one's place, or winds the other way. Only the best of all edges flips.
@@ -110,7 +110,7 @@ def test_edges_that_are_not_delaunay_flip(impl, rng):
     assert_equal(turned(got), turned(flipped_pairs(faces, radius < 1)))
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_a_gain_that_is_given_decides(impl, rng):
     """The gain that comes is not looked at. A gain of 0, or one up to LEAST_GAIN, is enough."""
     vertices, faces = quads_apart(rng, np.full(40, 0.8))
@@ -141,7 +141,7 @@ def with_flips(faces, quads, quad_faces, chosen):
     return faces
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_of_flips_that_share_a_vertex_the_best_one_is_done(impl, rng):
     """All of them flip, and undo each other or leave holes. The best counts at the two ends of the
     edge alone, and not at c and d; or one of its four vertices is enough. The least gain wins.
@@ -152,7 +152,7 @@ def test_of_flips_that_share_a_vertex_the_best_one_is_done(impl, rng):
     assert_equal(turned(got), turned(expected))
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_what_cannot_flip_stays(impl, rng):
     """`can_flip` is not asked: a bent quad flips, or an edge comes twice."""
     vertices, faces = quads_apart(rng, np.full(30, 0.8))
@@ -168,7 +168,7 @@ def test_what_cannot_flip_stays(impl, rng):
     assert_equal(turned(got), turned(expected))
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_what_cannot_flip_holds_nobody_back(impl, rng):
     """`can_flip` is asked last: an edge whose best neighbour cannot flip waits for ever."""
     vertices, faces, quads, quad_faces, gain = sheet(rng)
@@ -182,7 +182,7 @@ def test_what_cannot_flip_holds_nobody_back(impl, rng):
     assert_equal(turned(got), turned(expected))
 
 
-@exercise("13.17")
+@exercise("13.11")
 def test_again_and_again_it_ends_where_no_circle_holds_a_fourth_point(impl, rng):
     """In the plane. A flip is worse than none, or some edges are never tried."""
     vertices, faces = mesh.grid(50)
@@ -198,7 +198,7 @@ def test_again_and_again_it_ends_where_no_circle_holds_a_fourth_point(impl, rng)
     assert_equal(inside < 1e-6, np.ones(len(inside), bool))
 
 
-@exercise("13.17", fine_print=True)
+@exercise("13.11", fine_print=True)
 def test_of_equal_flips_the_last_one_is_done(impl, rng):
     """Both flip, neither does, or the first one does. No quads: an error from inside."""
     vertices, faces, quads, quad_faces, _ = sheet(rng)
@@ -209,7 +209,7 @@ def test_of_equal_flips_the_last_one_is_done(impl, rng):
     assert_equal(turned(got), turned(faces))
 
 
-@exercise("13.15")
+@exercise("13.12")
 def test_a_slide_on_paper(impl):
     """The part along n is not taken away, alone is kept, or is that of the mean, not of the move.
     It is the sum of the offsets, not the mean: not divided by the valence. The rate, or x, is left
@@ -222,7 +222,7 @@ def test_a_slide_on_paper(impl):
     assert_close(impl.relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5), expected)
 
 
-@exercise("13.15")
+@exercise("13.12")
 def test_slides_are_at_right_angles_to_each_normal(impl, rng):
     """One normal for all; or the mean is weighted."""
     edges, _ = graph(rng)
@@ -236,7 +236,7 @@ def test_slides_are_at_right_angles_to_each_normal(impl, rng):
     assert_close(impl.relax_step(vertices, normals, edges, 0.3), expected)
 
 
-@exercise("13.15", fine_print=True)
+@exercise("13.12", fine_print=True)
 def test_without_a_normal_the_whole_move_counts(impl, rng):
     """NaN, where the normal is 0."""
     edges, _ = graph(rng)
