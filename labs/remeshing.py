@@ -53,11 +53,10 @@ def flip(quads):
     return quads[:, [[0, 3, 2], [1, 2, 3]]]
 
 
-def delaunay_gain(corners):  # exercise 13.14 (2 points)
+def delaunay_gain(corners):  # step 13.10
     """Eq. (8): gamma + delta - pi (N,), positive where an edge should flip.
 
-    corners (N, 4, 3): the positions of a, b, c, d. `corner_angles` gives angles. The teapot gets
-    rounder triangles with it: `python3 -m course demo relaxation --impl labs`.
+    corners (N, 4, 3): the positions of a, b, c, d. `corner_angles` gives angles.
 
     >>> delaunay_gain(np.array([[[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, -3, 0]],
     ...                         [[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 0]]])).round(6)
@@ -66,7 +65,7 @@ def delaunay_gain(corners):  # exercise 13.14 (2 points)
     Fine print. Tiny angles, and those where corners coincide, are right as `corner_angles` has
     them.
     """
-    raise NotImplementedError("exercise 13.14: delaunay_gain")
+    raise NotImplementedError("exercise 13.10: delaunay_gain")
 
 
 def valence_gain(valence, target):
@@ -95,49 +94,56 @@ def can_flip(vertices, faces, quads):
     return alike & ~np.isin(new, edges @ to_key)
 
 
-def flip_best(vertices, faces, quads, quad_faces, gain):
-    """Flip, all at once, each edge that gains more than any other at its four vertices -> faces."""
-    able = np.flatnonzero(gain > LEAST_GAIN)
-    able = able[can_flip(vertices, faces, quads[able])]
-    able = able[np.argsort(gain[able], kind="stable")]
-    best = np.full(len(vertices), -1)
-    rank = np.arange(len(able))
-    np.maximum.at(best, quads[able], rank[:, None])
-    chosen = able[(best[quads[able]] == rank[:, None]).all(1)]
-    faces = faces.copy()
-    faces[quad_faces[chosen]] = flip(quads[chosen])
-    return faces
+def flip_best(vertices, faces, quads, quad_faces, gain=None):  # exercise 13.11 (4 points)
+    """Flip, all at once, the edges whose flip is best -> faces (F, 3).
+
+    quads (N, 4), quad_faces (N, 2): some of `edge_quads`. gain (N,): what each flip gains. None:
+    by (8), `delaunay_gain`. A flip must gain more than LEAST_GAIN, and `can_flip` must allow it. Of
+    those, flip each one that gains more than all others at its four vertices. `flip` is given. The
+    teapot becomes round: `python3 -m course demo --impl labs relaxation`.
+
+    >>> vertices = np.array([[-3.0, 0, 0], [3, 0, 0], [0, 1, 0], [0, -1, 0]])
+    >>> faces = np.array([[0, 1, 2], [1, 0, 3]])
+    >>> quads, quad_faces, _ = edge_quads(faces)
+    >>> flip_best(vertices, faces, quads, quad_faces)
+    array([[0, 3, 2],
+           [1, 2, 3]])
+
+    Fine print. Of equal flips at a vertex, one is done: the last. Quads may be none.
+    """
+    raise NotImplementedError("exercise 13.11: flip_best")
 
 
-def flip_until_settled(vertices, faces, gain_of):
-    """`flip_best` again and again; gain_of(quads, held edges) -> the gain of each flip (N,)."""
+def until_settled(faces, flipped):
+    """Faces (F, 3) -> flipped(faces), and so on, until nothing changes any more."""
     for _ in range(MOST_PASSES):
-        quads, quad_faces, held = edge_quads(faces)
-        flipped = flip_best(vertices, faces, quads, quad_faces, gain_of(quads, held))
-        if np.array_equal(flipped, faces):
+        new = flipped(faces)
+        if np.array_equal(new, faces):
             break
-        faces = flipped
+        faces = new
     return faces
 
 
 def flip_to_delaunay(vertices, faces):
     """Faces (F, 3) of the same vertices: all edges that can flip are Delaunay, eq. (8)."""
-    return flip_until_settled(vertices, faces, lambda quads, _: delaunay_gain(vertices[quads]))
+    return until_settled(faces, lambda some: flip_best(vertices, some, *edge_quads(some)[:2]))
 
 
 def flip_to_valence_6(vertices, faces):
     """Faces (F, 3) of the same vertices, with valences near 6, or near 4 at held edges."""
-    def gain(quads, held):
+    def flipped(faces):
+        quads, quad_faces, held = edge_quads(faces)
         edges = np.concatenate([quads[:, :2], held])
         target = np.full(len(vertices), 6)
         target[held] = 4
         valence = np.bincount(edges.ravel(), minlength=len(vertices))
-        return valence_gain(valence[quads], target[quads])
+        gain = valence_gain(valence[quads], target[quads])
+        return flip_best(vertices, faces, quads, quad_faces, gain)
 
-    return flip_until_settled(vertices, faces, gain)
+    return until_settled(faces, flipped)
 
 
-def relax_step(vertices, normals, edges, rate):  # extra 13.15 (3 points)
+def relax_step(vertices, normals, edges, rate):  # extra 13.12 (3 points)
     """Eq. (9): vertices (V, 3) slide towards the mean of their neighbours -> x' (V, 3).
 
     normals (V, 3) are the n, of unit length. edges (E, 2), and a rate from 0 to 1.
@@ -196,18 +202,20 @@ def relax(vertices, faces, tolerance, steps=4):
 
 def flip_and_slide(vertices, faces, tolerance, steps, frozen):
     """What `relax` does, but frozen vertices (V,) keep their places and their faces."""
-    def gain(quads, _):
+    def flip_near(faces):
+        quads, quad_faces, _ = edge_quads(faces)
         near = diagonal_distance(moved[quads]) <= tolerance
-        return np.where(near & ~frozen[quads].any(1), delaunay_gain(moved[quads]), 0)
+        may = near & ~frozen[quads].any(1)
+        return flip_best(moved, faces, quads[may], quad_faces[may])
 
     free = ~held_vertices(vertices, faces, tolerance) & ~frozen
     moved = vertices.copy()
-    flipped = flip_until_settled(moved, faces, gain)
+    flipped = until_settled(faces, flip_near)
     for _ in range(steps):
         edges, _ = mesh.edges(flipped)
         slid = relax_step(moved, mesh.vertex_normals(moved, flipped), edges, 1.0)
         moved[free] = closest_points(slid[free], vertices, faces)
-        flipped = flip_until_settled(moved, flipped, gain)
+        flipped = until_settled(flipped, flip_near)
     return moved, flipped
 
 

@@ -76,76 +76,60 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
     return 4 * (triangle_normals(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
 
 
-def cotangents(triangles):  # exercise 13.3 (2 points)
-    """Eq. (3) from `sides`: the cotangents at the corners of triangles (..., 3, 3) -> (..., 3).
+def cross_lengths(triangles):
+    """|p x q| of triangles (..., 3, 3), twice the area: (..., 1), inf where that is next to nothing.
+
+    It is that if it is at most NO_AREA times the longest side squared.
+    """
+    p, _ = sides(triangles)
+    twice_area = np.linalg.norm(triangle_normals(triangles), axis=-1)
+    has_area = twice_area > NO_AREA * (p**2).sum(-1).max(-1)
+    return np.where(has_area, twice_area, np.inf)[..., None]
+
+
+def cotangents(triangles):  # step 13.3
+    """Eq. (3): the cotangents at the corners of triangles (..., 3, 3) -> (..., 3).
+
+    `sides` gives p and q, `cross_lengths` the length of p x q.
 
     >>> cotangents(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
     array([0. , 2. , 0.5])
 
-    Fine print. A triangle without area takes no part in anything: all three are 0 if twice its area
-    is at most NO_AREA times its longest side squared.
+    Fine print. A triangle without area takes no part in anything: `cross_lengths` sees to that.
     """
     p, q = sides(triangles)
+    return (p * q).sum(-1) / cross_lengths(triangles)
+
+
+def cotangent_laplacian(vertices, faces):  # exercise 13.4 (4 points)
+    """Eq. (3) and M: the edges (E, 2) of a mesh, their weights (E,), and areas (V,), the masses.
+
+    vertices (V, 3), faces (F, 3). The given `mesh.edges(faces)` returns the edges, and face_edges
+    (F, 3): which of them lies opposite to each corner. An edge of one face has half of one
+    cotangent. The mass of a vertex is a third of the area of all its faces. `cotangents` is a step
+    on the way. A rough bunny becomes smooth by it: `python3 -m course demo --impl labs smoothed`.
+
+    >>> cotangent_laplacian(np.array([[0.0, 0, 0], [6, 0, 0], [0, 3, 0]]), np.array([[0, 1, 2]]))
+    (array([[0, 1],
+           [0, 2],
+           [1, 2]]), array([0.25, 1.  , 0.  ]), array([3., 3., 3.]))
+
+    Fine print. An edge of three faces has half of three cotangents. The area of a vertex without a
+    face is 0. A face without area adds 0 to all weights: see `cross_lengths`.
+    """
+    triangles = vertices[faces]
+    edges, face_edges = mesh.edges(faces)
+    weights = scatter(cotangents(triangles) / 2, face_edges, len(edges))
     twice_area = np.linalg.norm(triangle_normals(triangles), axis=-1, keepdims=True)
-    flat = twice_area <= NO_AREA * (p**2).sum(-1).max(-1, keepdims=True)
-    return np.where(flat, 0, (p * q).sum(-1) / np.where(flat, 1, twice_area))
+    areas = scatter(np.broadcast_to(twice_area / 6, faces.shape), faces, len(vertices))
+    return edges, weights, areas
 
 
-def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
-    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3).
-
-    >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
-    >>> cotangents_backward(np.array([0.0, 1.0, 0.0]), triangle)  # x_1 / y_2 if the rest stays
-    array([[ 0.  ,  1.25,  0.  ],
-           [ 0.5 , -0.25,  0.  ],
-           [-0.5 , -1.  ,  0.  ]])
-
-    Fine print. It is 0 for a triangle whose cotangents are set to 0.
-    """
-    # d cot_k = (dp_k . q_k + p_k . dq_k - cot_k ds) / s, with one s = 2 A for all corners. A corner
-    # that rises over the opposite side makes s grow by it: ds/dx_k = n x (q_k - p_k), |n| = 1.
-    p, q = sides(triangles)
-    cot = cotangents(triangles)[..., None]
-    area_vector = triangle_normals(triangles)[..., None, :]
-    flat = (cot == 0).all(-2, keepdims=True)  # no triangle has three right angles
-    s = np.where(flat, 1, np.linalg.norm(area_vector, axis=-1, keepdims=True))
-    by_dot = np.where(flat, 0, grad_cotangents[..., None] / s)
-    by_p, by_q = by_dot * q, by_dot * p
-    by_s = -(by_dot * cot).sum(-2, keepdims=True)
-    return (np.roll(by_p, 1, -2) + np.roll(by_q, 2, -2) - by_p - by_q
-            + by_s * np.cross(area_vector / s, q - p))
-
-
-def cotangent_weights(cotangents, face_edges, edge_count):
-    """Eq. (3): the cotangents (F, 3) at all faces' corners -> the edges' weights (edge_count,).
-
-    An edge of one face has half of one cotangent. A weight is negative where alpha + beta > pi.
-
-    >>> cotangent_weights(np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]]),
-    ...                   np.array([[0, 1, 2], [3, 2, 4]]), 5)
-    array([0.5, 1. , 5. , 2.5, 4.5])
-    """
-    return scatter(cotangents, face_edges, edge_count) / 2
-
-
-def vertex_areas(triangles, faces, vertex_count):
-    """M with cotangents, a third of all areas at each vertex: triangles (F, 3, 3) -> areas (V,)."""
-    twice_area = np.linalg.norm(triangle_normals(triangles), axis=-1, keepdims=True)
-    return scatter(np.broadcast_to(twice_area / 6, faces.shape), faces, vertex_count)
-
-
-def vertex_areas_backward(grad_areas, triangles, faces):
-    """Backward of `vertex_areas`: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
-    # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
-    p, q = sides(triangles)
-    normal = mesh.unit(triangle_normals(triangles))[:, None]
-    return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
-
-
-def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
+def laplacian_entries(edges, weights, vertex_count):  # exercise 13.5 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up.
+    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up. Every step
+    of `python3 -m course demo --impl labs smoothed relaxation` solves with it, or multiplies.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -164,11 +148,35 @@ def laplacian(edges, weights, vertex_count):
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
 
-def cotangent_laplacian(vertices, faces):
-    """L and M of a surface with cotangents: edges (E, 2), weights (E,) and areas (V,)."""
-    edges, face_edges = mesh.edges(faces)
-    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
-    return edges, weights, vertex_areas(vertices[faces], faces, len(vertices))
+def cotangents_backward(grad_cotangents, triangles):  # extra 13.6 (4 points)
+    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3).
+
+    >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
+    >>> cotangents_backward(np.array([0.0, 1.0, 0.0]), triangle)  # x_1 / y_2 if the rest stays
+    array([[ 0.  ,  1.25,  0.  ],
+           [ 0.5 , -0.25,  0.  ],
+           [-0.5 , -1.  ,  0.  ]])
+
+    Fine print. It is 0 for a triangle whose cotangents are set to 0.
+    """
+    # d cot_k = (dp_k . q_k + p_k . dq_k - cot_k ds) / s, with one s = 2 A for all corners. A corner
+    # that rises over the opposite side makes s grow by it: ds/dx_k = n x (q_k - p_k), |n| = 1.
+    p, q = sides(triangles)
+    s = cross_lengths(triangles)[..., None]
+    by_dot = grad_cotangents[..., None] / s
+    by_p, by_q = by_dot * q, by_dot * p
+    by_s = -(by_dot * (p * q).sum(-1, keepdims=True) / s).sum(-2, keepdims=True)
+    normal = triangle_normals(triangles)[..., None, :] / s
+    return (np.roll(by_p, 1, -2) + np.roll(by_q, 2, -2) - by_p - by_q
+            + by_s * np.cross(normal, q - p))
+
+
+def areas_backward(grad_areas, triangles, faces):
+    """Backward of `cotangent_laplacian`'s areas: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
+    # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
+    p, q = sides(triangles)
+    normal = mesh.unit(triangle_normals(triangles))[:, None]
+    return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 
 def per_mass(x, mass):
@@ -176,20 +184,20 @@ def per_mass(x, mass):
     return x / np.where(mass > 0, mass, np.inf)[:, None]
 
 
-def laplacian_energy(x, edges, weights, mass):  # extra 13.7 (1 point)
+def laplacian_energy(x, edges, weights, mass):
     """Eq. (4): the Laplacian energy E, a number: x (V, C), edges (E, 2), weights (E,), mass (V,).
+
+    A vertex of mass 0 adds nothing.
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
     >>> laplacian_energy(x, edges, np.ones(2), np.array([1.0, 2.0, 4.0]))  # L x is -1, -1, 2
     np.float64(2.5)
-
-    Fine print. A vertex of mass 0 adds nothing.
     """
     y = laplacian(edges, weights, len(x)) @ x
     return (y * per_mass(y, mass)).sum()
 
 
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # extra 13.8 (4 points)
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # extra 13.7 (4 points)
     """Backward of eq. (4): grad_energy -> grad_x (V, C), grad_weights (E,), grad_mass (V,).
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
@@ -226,26 +234,26 @@ def bending_energy_backward(grad_energy, vertices, faces):
         grad_energy, vertices, *cotangent_laplacian(vertices, faces))
     _, face_edges = mesh.edges(faces)
     grad_triangles = (cotangents_backward(grad_weights[face_edges] / 2, vertices[faces])
-                      + vertex_areas_backward(grad_areas, vertices[faces], faces))
+                      + areas_backward(grad_areas, vertices[faces], faces))
     return grad_vertices + scatter(grad_triangles, faces, len(vertices))
 
 
-def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (1 point)
+def smooth_explicit(x, edges, weights, mass, step):
     """Eq. (5): smooth x (V, C) by one step s -> x' (V, C).
 
-    edges (E, 2), weights (E,). mass (V,) is the diagonal of M. `laplacian` gives L.
+    edges (E, 2), weights (E,). mass (V,) is the diagonal of M. A vertex of mass 0 stays.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5)[:, 0]
     array([2. , 4.5, 7. ])
-
-    Fine print. A vertex of mass 0 stays where it is. `per_mass` sees to that.
     """
     return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
-def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
+def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.8 (2 points)
     """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C), also for C = 1.
+
+    `laplacian` gives L. Noise goes by it in `python3 -m course demo --impl labs smoothed`.
 
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
@@ -261,10 +269,10 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # extra 13.11 (1 point)
+def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
     """Smoothing that keeps the size: in each round eq. (5) with s = shrink, then with s = -grow.
 
-    x (V, C) -> (V, C), with 0 < shrink < grow. The lecture's section 5 shows the bunny after it.
+    x (V, C) -> (V, C), with 0 < shrink < grow.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)[:, 0]
@@ -287,24 +295,23 @@ def enclosed_volume(triangles):
     return (x0 * np.cross(x1, x2)).sum() / 6
 
 
-def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
-    """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
+def restore_volume(vertices, faces, volume):  # extra 13.9 (3 points)
+    """Eq. (7): a closed surface that has got smaller gets its volume back -> vertices (V, 3).
 
-    >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
-    >>> enclosed_volume_backward(6.0, triangle[None])
-    array([[[2., 0., 0.],
-            [0., 3., 0.],
-            [0., 0., 6.]]])
+    vertices (V, 3), faces (F, 3). Do this five times: move all vertices along the gradient of their
+    volume by as much as would be right if the volume were linear. `enclosed_volume` is given.
+
+    >>> vertices = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+    >>> faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
+    >>> enclosed_volume(vertices[faces]).round(6), restore_volume(vertices, faces, 9.0)[0].round(6)
+    (np.float64(2.666667), array([1.5, 1.5, 1.5]))
     """
-    # A determinant stays the same when its rows go round, so each corner is the first one once.
-    return grad_volume * np.cross(np.roll(triangles, -1, 1), np.roll(triangles, -2, 1)) / 6
-
-
-def restore_volume(vertices, faces, volume):
-    """Vertices (V, 3), moved along the gradient of their volume until it has the wanted value."""
     for _ in range(5):  # Newton's steps: after three the rest is rounding
-        missing = volume - enclosed_volume(vertices[faces])
-        direction = scatter(enclosed_volume_backward(1.0, vertices[faces]), faces, len(vertices))
+        corners = vertices[faces]
+        # A determinant stays the same when its rows go round, so each corner is the first one once.
+        by_corner = np.cross(np.roll(corners, -1, 1), np.roll(corners, -2, 1)) / 6
+        direction = scatter(by_corner, faces, len(vertices))
+        missing = volume - enclosed_volume(corners)
         vertices = vertices + missing / (direction**2).sum() * direction
     return vertices
 
@@ -323,11 +330,12 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.16 (3 points)
+def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.13 (3 points)
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
     x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
-    edges (E, 2), weights (E,) and lambda, all >= 0.
+    edges (E, 2), weights (E,) and lambda, all >= 0. A ball becomes a bunny by it:
+    `python3 -m course demo --impl labs large_steps`.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> spread = np.array([[0, 1]]), np.ones(1), 1.0

@@ -18,7 +18,7 @@
     fit_bunny          a ball becomes the bunny
     fit_outlines       one silhouette, three gradients
     levels             a coarse ring made smooth, the bunny made coarse
-    relaxation         thin triangles made rounder
+    relaxation         noise smoothed away, thin triangles made rounder
     large_steps        a ball becomes the bunny by large steps
     shadow             the bunny's shadow on the ground, hard and soft
     still_life         teapot, bunny, ball and ring by a window

@@ -6,19 +6,21 @@ import warnings
 
 import numpy as np
 import pytest
-from what_draws import shown
+from what_draws import shown, surfaces
 
 from course.given import faster
 from course.given.whose import Labs
 from labkit import exercises
 from labkit.upkeep import mistakes
 
-# Topics of which every core exercise is in the renderer, or in the fit of its own lab.
-DRAWING = ("transforms", "rasterization", "interpolation", "vertex_gradients",
-           "rasterizer_gradients", "antialiasing", "outlines", "outline_walk", "inverse_rendering", "pipeline")
+# Topics of which every core exercise is in what draws: the renderer with its fits, or a scene.
+DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradients",
+                   "rasterizer_gradients", "antialiasing", "outlines", "outline_walk",
+                   "inverse_rendering", "pipeline"),
+           surfaces: ("regularization", "remeshing")}
 ENOUGH = 3  # mistakes of each exercise, at least, must show
-CORE = [(topic, one.name) for topic in DRAWING for one in exercises.topic_exercises(topic)
-        if not one.is_extra and one.points]
+CORE = [(drawn, topic, one.name) for drawn, topics in DRAWING.items() for topic in topics
+        for one in exercises.topic_exercises(topic) if not one.is_extra and one.points]
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +35,7 @@ def labs():
 
 @pytest.fixture(scope="module")
 def right(labs):
-    return dict(shown(labs))
+    return {drawn: dict(drawn(labs)) for drawn in DRAWING}
 
 
 def written(module, name):
@@ -42,11 +44,11 @@ def written(module, name):
     return getattr(function, "written", function)
 
 
-def shows_in(labs, right):
-    """The first that looks otherwise than it should. None: nothing does."""
+def shows_in(drawn, labs, right):
+    """The first thing drawn that looks otherwise than it should. None: nothing does."""
     what = "it cannot be drawn"
     try:
-        for what, numbers in shown(labs):
+        for what, numbers in drawn(labs):
             if numbers.shape != right[what].shape or not np.allclose(numbers, right[what], rtol=0,
                                                                      atol=1e-9):
                 return what
@@ -55,8 +57,8 @@ def shows_in(labs, right):
     return None
 
 
-@pytest.mark.parametrize("topic, name", CORE, ids=[name for _, name in CORE])
-def test_a_mistake_shows(topic, name, labs, right, capsys):
+@pytest.mark.parametrize("drawn, topic, name", CORE, ids=[name for *_, name in CORE])
+def test_a_mistake_shows(drawn, topic, name, labs, right, capsys):
     """A complete fast version draws in its place, or no picture needs it."""
     module = getattr(labs, topic)
     function = written(module, name)
@@ -69,9 +71,14 @@ def test_a_mistake_shows(topic, name, labs, right, capsys):
             faster.agrees.cache_clear()
             try:
                 with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
-                    found.append((mistake.sentence, shows_in(labs, right)))
+                    found.append((mistake.sentence, shows_in(drawn, labs, right[drawn])))
             finally:
                 function.__code__ = code
                 faster.agrees.cache_clear()
     print(*(f"{where}: {sentence}" for sentence, where in found), sep="\n")
     assert sum(where is not None for _, where in found) >= ENOUGH
+
+
+def test_without_a_mistake_nothing_shows(labs, right):
+    """Two things have one name, or what is drawn depends on chance: every mistake seems to show."""
+    assert [shows_in(drawn, labs, right[drawn]) for drawn in DRAWING] == [None] * len(DRAWING)

@@ -17,14 +17,19 @@ def twice_area(triangle):
     return twice if twice > NO_AREA * max(lengths(triangle))**2 else 0.0
 
 
-def cotangents(triangles):
-    found = np.zeros(np.shape(triangles)[:-1])
-    for at in np.ndindex(found.shape[:-1]):
-        twice = twice_area(triangles[at])
-        if twice:
-            a, b, c = np.square(lengths(triangles[at]))  # the law of cosines
-            found[at] = np.array([b + c - a, c + a - b, a + b - c]) / (2 * twice)
-    return found
+def cotangent_laplacian(vertices, faces):
+    # Edge by edge in a dictionary, by the law of cosines.
+    weights, areas = {}, np.zeros(len(vertices))
+    for face in np.asarray(faces).tolist():
+        triangle = np.asarray(vertices)[face]
+        area, squares = twice_area(triangle), np.square(lengths(triangle))
+        for k in range(3):
+            edge = tuple(sorted((face[k - 1], face[k - 2])))
+            cotangent = (squares.sum() - 2 * squares[k]) / (2 * area) if area else 0.0
+            weights[edge] = weights.get(edge, 0.0) + cotangent / 2
+            areas[face[k]] += area / 6
+    edges = sorted(weights)
+    return np.array(edges), np.array([weights[edge] for edge in edges]), areas
 
 
 def laplacian_entries(edges, weights, vertex_count):
@@ -39,15 +44,6 @@ def dense(edges, weights, vertex_count):
     for row, (a, b) in zip(D, edges, strict=True):
         row[a], row[b] = 1, -1
     return D.T @ (np.reshape(weights, (-1, 1)) * D)
-
-
-def smooth_explicit(x, edges, weights, mass, step):
-    moved = np.array(x, float)
-    for (a, b), weight in zip(edges, weights, strict=True):
-        for end, other in ((a, b), (b, a)):
-            if mass[end]:
-                moved[end] -= step * weight / mass[end] * (x[end] - x[other])
-    return moved
 
 
 def smooth_implicit(x, edges, weights, mass, step):

@@ -101,8 +101,17 @@ def test_without_vertices_there_is_nothing_to_smooth_and_no_step_to_make():
         assert got.shape == (0, 3)
 
 
-def test_an_edge_may_have_three_faces_or_none(impl):
-    """Two faces are expected at each edge, or the last edges are lost."""
-    given = np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-4.0, 0.0, 6.0]])
-    face_edges = np.array([[3, 0, 1], [3, 0, 1], [3, 2, 4]])
-    assert_close(impl.cotangent_weights(given, face_edges, 7), [0.0, 0.0, 0.0, -0.5, 3.0, 0.0, 0.0])
+def test_waves_decay_by_their_frequency_and_without_mass_a_vertex_stays():
+    """The sign, the step, the weights or the mass; Taubin's second step is taken forwards."""
+    edges, angle = np.array([[k, (k + 1) % 8] for k in range(8)]), np.arange(8) * np.pi / 4
+    waves = np.cos(np.arange(5)[:, None, None] * angle[:, None])
+    mu = (2 - 2 * np.cos(np.arange(5) * np.pi / 4)) * 1.5 / 3.0
+    around = edges, np.full(8, 1.5), np.full(8, 3.0)
+    smooth = regularization.smooth_explicit(waves.sum(0), *around, 0.4)
+    assert_close(smooth, ((1 - 0.4 * mu)[:, None, None] * waves).sum(0))
+    taubin = regularization.smooth_taubin(waves.sum(0), *around, 0.5, 0.6, 3)
+    factor = ((1 - 0.5 * mu) * (1 + 0.6 * mu))**3
+    assert_close(taubin, (factor[:, None, None] * waves).sum(0))
+    x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
+    got = regularization.smooth_explicit(x, edges, np.ones(2), np.array([2.0, 0.0, 0.5]), 0.25)
+    assert_close(got, [[0.5], [4.0], [7.0]])
