@@ -18,7 +18,7 @@ from . import own
 SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_vertices", "borders", "fit_triangle",
           "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "rounded",
           "simplified", "relaxation", "large_steps", "shadow", "still_life", "representations",
-          "fit_volume", "reconstruct", "paint_and_light")  # in the order of the labs
+          "hole", "fit_volume", "reconstruct", "paint_and_light")  # in the order of the labs
 FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
          "rounded": "levels", "simplified": "levels"}  # others have their name
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",

@@ -1,4 +1,5 @@
 """What one writes is what draws: a core exercise with a mistake shows in what a demo draws."""
+import functools
 import importlib
 import sys
 import types
@@ -7,6 +8,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown
+from what_late_labs_draw import LATE
 
 from course.given import faster
 from course.given.whose import Labs
@@ -17,7 +19,8 @@ from labkit.upkeep import mistakes
 DRAWING = ("transforms", "rasterization", "interpolation", "vertex_gradients",
            "rasterizer_gradients", "antialiasing", "outlines", "inverse_rendering", "pipeline")
 ENOUGH = 3  # mistakes of each exercise, at least, must show
-CORE = [(topic, one.name) for topic in DRAWING for one in exercises.topic_exercises(topic)
+CORE = [(topic, one.name) for topic in (*DRAWING, *LATE)
+        for one in exercises.topic_exercises(topic)
         if not one.is_extra and one.points]
 
 
@@ -33,7 +36,8 @@ def labs():
 
 @pytest.fixture(scope="module")
 def right(labs):
-    return dict(shown(labs))
+    """-> {what is drawn: numbers} of scenes, without a mistake."""
+    return functools.cache(lambda scenes: dict(scenes(labs)))
 
 
 def written(module, name):
@@ -42,11 +46,11 @@ def written(module, name):
     return getattr(function, "written", function)
 
 
-def shows_in(labs, right):
+def shows_in(labs, scenes, right):
     """The first that looks otherwise than it should. None: nothing does."""
     what = "it cannot be drawn"
     try:
-        for what, numbers in shown(labs):
+        for what, numbers in scenes(labs):
             if numbers.shape != right[what].shape or not np.allclose(numbers, right[what], rtol=0,
                                                                      atol=1e-9):
                 return what
@@ -58,6 +62,8 @@ def shows_in(labs, right):
 @pytest.mark.parametrize("topic, name", CORE, ids=[name for _, name in CORE])
 def test_a_mistake_shows(topic, name, labs, right, capsys):
     """A complete fast version draws in its place, or no picture needs it."""
+    scenes = LATE.get(topic, shown)
+    expected = right(scenes)
     module = getattr(labs, topic)
     function = written(module, name)
     code, found = function.__code__, []
@@ -69,7 +75,7 @@ def test_a_mistake_shows(topic, name, labs, right, capsys):
             faster.agrees.cache_clear()
             try:
                 with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
-                    found.append((mistake.sentence, shows_in(labs, right)))
+                    found.append((mistake.sentence, shows_in(labs, scenes, expected)))
             finally:
                 function.__code__ = code
                 faster.agrees.cache_clear()
