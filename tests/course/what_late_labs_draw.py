@@ -1,7 +1,7 @@
 """Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
 import numpy as np
 
-from course.scenes import drawing, fit_volume, hole, representations, viewing
+from course.scenes import drawing, fit_volume, hole, reconstruct, representations, viewing
 
 
 def lab_15(labs):
@@ -22,4 +22,15 @@ def lab_15(labs):
     yield "the fit of a volume", np.append(volume.density, loss)
 
 
-LATE = {"implicit_surfaces": lab_15, "marching_tetrahedra": lab_15}
+def lab_16(labs):
+    """A search for a ring that has just begun."""
+    lab16 = labs.multi_view_fit
+    stages, weights = [lab16.Stage(6, 1, 1, 2, 1.0)], lab16.WEIGHTS._replace(coverage=0.5)
+    fit = reconstruct.fit(labs, "ring", stages, size=12, count=4, weights=weights)
+    (_, first), (x, last) = fit
+    yield "two losses", np.array([first, last])
+    yield from x._asdict().items()
+
+
+LATE = {"implicit_surfaces": lab_15, "marching_tetrahedra": lab_15,
+        "reconstruction": lab_16, "multi_view_fit": lab_16}
