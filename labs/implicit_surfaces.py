@@ -36,7 +36,7 @@ def sphere_backward(grad_distance, points, radius):
     return grad_distance[..., None] * unit(points)
 
 
-def box(points, half_size):  # extra 15.1 (2 points)
+def box(points, half_size):
     """Eq. (1) of a box from -half_size to half_size: points (..., 3) -> distance (...).
 
     Outside, the nearest point may be on a side, an edge or a corner. Inside, the nearest side
@@ -49,7 +49,7 @@ def box(points, half_size):  # extra 15.1 (2 points)
     return length(np.maximum(beyond, 0)) + np.minimum(largest(beyond), 0)
 
 
-def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
+def box_backward(grad_distance, points, half_size):  # extra 15.1 (2 points)
     """Backward of `box`: grad_distance (...) -> grad_points (..., 3).
 
     Outside, the distance grows fastest straight away from the nearest point of the box. Inside, it
@@ -72,20 +72,17 @@ def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
     return grad_distance[..., None] * outward * slope
 
 
-def torus(points, radius, tube):  # extra 15.3 (1 point)
+def torus(points, radius, tube):
     """Eq. (1) of a ring around the y axis: points (..., 3) -> distance (...).
 
     The ring is all that is nearer than tube to a circle of this radius around the origin, in the
     plane y = 0.
-
-    >>> torus(np.array([[0.0, 4.0, 8.0], [3.0, 0.5, 4.0]]), 5.0, 1.0)
-    array([ 4. , -0.5])
     """
     from_axis = np.hypot(points[..., 0], points[..., 2])
     return np.hypot(from_axis - radius, points[..., 1]) - tube
 
 
-def torus_backward(grad_distance, points, radius, tube):  # extra 15.4 (2 points)
+def torus_backward(grad_distance, points, radius, tube):  # extra 15.2 (2 points)
     """Backward of `torus`: grad_distance (...) -> grad_points (..., 3).
 
     >>> torus_backward(np.array([10.0]), np.array([[4.8, 4.0, 6.4]]), 5.0, 1.0).round(9)
@@ -130,25 +127,17 @@ def intersection_backward(grad_distance, a, b):
     return union_backward(grad_distance, -a, -b)
 
 
-def smooth_union(a, b, k):  # extra 15.5 (1 point)
-    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), k > 0 -> (...).
-
-    >>> smooth_union(np.array([1.0, 1.0, 5.0]), np.array([1.0, 2.0, 1.0]), 2.0)
-    array([0.5  , 0.875, 1.   ])
-    """
+def smooth_union(a, b, k):
+    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), k > 0 -> (...)."""
     h = np.maximum(1 - np.abs(a - b) / k, 0)
     return np.minimum(a, b) - k * h**2 / 4
 
 
-def smooth_union_backward(grad_distance, a, b, k):  # extra 15.6 (2 points)
+def smooth_union_backward(grad_distance, a, b, k):
     """Backward of eq. (3): grad_distance (...) -> grad_a, grad_b (...).
 
     The two shares are never negative, and their sum is grad_distance. So eq. (2) holds for the
     smooth union with L = 1, if it does for a and b.
-
-    >>> a, b = np.array([1.0, 1.0, 5.0]), np.array([1.0, 2.0, 1.0])
-    >>> smooth_union_backward(np.array([4.0, 4.0, 4.0]), a, b, 2.0)
-    (array([2., 3., 0.]), array([2., 1., 4.]))
     """
     # d(k h^2 / 4) = h/2 k dh, and k h = k - |a - b|: the larger gets h/2, the smaller 1 - h/2.
     # Both are 1/2 + (b - a) / (2 k) for a, as far as that lies between 0 and 1.
@@ -253,25 +242,26 @@ def camera_rays(clip_from_world, width, height):
     return near, unit(far - near)
 
 
-def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
+def sphere_trace(origins, directions, shape, far,  # exercise 15.3 (3 points)
                  lipschitz=1.0, epsilon=1e-5, most=200):
     """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,).
 
-    It starts at t = 0 and hits where s, the `signed_distance`, is less than epsilon. It misses,
-    t = np.inf, if t > far or after `most` evaluations. Count those of each ray.
+    origins, directions (R, 3). A ray starts at t = 0 and hits where s, the `signed_distance`, is
+    less than epsilon. It misses, t = np.inf, if t > far or after `most` evaluations. Count those of
+    each ray. The demo `representations` shows it.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])
     >>> sphere_trace(origins, directions, ("sphere", 2.0), far=4.0)
     (array([ 3., inf]), array([2, 2]))
     """
-    raise NotImplementedError("exercise 15.7: sphere_trace")
+    raise NotImplementedError("exercise 15.3: sphere_trace")
 
 
 # --- volume rendering: eq. (5) to (7) -----------------------------------------------------------
 
 
-def ray_weights(density, spacing):  # exercise 15.8 (2 points)
+def ray_weights(density, spacing):  # step 15.4
     """Eq. (5): the weights of all samples on their rays, and the light that passes them all.
 
     density, spacing (R, N) -> weights (R, N), T_end (R,).
@@ -283,21 +273,28 @@ def ray_weights(density, spacing):  # exercise 15.8 (2 points)
     Fine print. A sum of all terms less the last one loses what lies in front of a dense wall: 0.3 +
     1e17 - 1e17 is 0. Sum only what is needed.
     """
-    raise NotImplementedError("exercise 15.8: ray_weights")
+    raise NotImplementedError("exercise 15.4: ray_weights")
 
 
-def volume_render(density, colour, spacing, background):
-    """Eq. (6): density (R, N), colour (R, N, C), spacing (R, N), background (C,) -> (R, C)."""
-    weights, remaining = ray_weights(density, spacing)
-    return np.einsum("rn,rnc->rc", weights, colour) + remaining[:, None] * background
+def volume_render(density, colour, spacing, background):  # exercise 15.5 (2 points)
+    """Eqs. (5) and (6): the colours (R, C) of R rays, each cut into N pieces.
+
+    density, spacing (R, N), colour (R, N, C), background (C,). Sample 0 is the nearest. It is the
+    fog of the demo `representations`.
+
+    >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
+    >>> volume_render(density, colour, np.ones((1, 2)), np.array([8.0])).round(9)
+    array([[3.5]])
+    """
+    raise NotImplementedError("exercise 15.5: volume_render")
 
 
-def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 points)
+def volume_render_backward(grad_output, density, colour,  # exercise 15.6 (4 points)
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    The other inputs are those of `volume_render`. Lecture 15 has dC / dtau, with tau = density
-    times spacing.
+    The other inputs are those of `volume_render`. Lecture 15 has dC / dtau of one sample, tau =
+    density times spacing. The demo `fit_volume` finds a ball by it.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])
@@ -309,7 +306,7 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
     Fine print. Walls, which let no light pass, and empty space have gradients, too. So divide by no
     weight and no T.
     """
-    raise NotImplementedError("exercise 15.9: volume_render_backward")
+    raise NotImplementedError("exercise 15.6: volume_render_backward")
 
 
 def density_of(distance, beta):

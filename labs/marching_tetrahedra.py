@@ -70,7 +70,7 @@ def grid_weights(points, n):
     return scipy.sparse.csr_array(entries, shape=(len(points), (n + 1)**3))
 
 
-def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
+def tetrahedron_triangles(inside):  # step 15.7
     """The surface in one tetrahedron: inside (4,) bool, of its vertices -> triangles (K, 3, 2).
 
     Each corner is an edge, a vertex inside and one outside. Seen from the vertices outside, it is
@@ -82,7 +82,7 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
     Fine print. Without a surface it is an array (0, 3, 2). The order of the triangles, the corner
     that comes first and the diagonal between two triangles are free.
     """
-    raise NotImplementedError("exercise 15.10: tetrahedron_triangles")
+    raise NotImplementedError("exercise 15.7: tetrahedron_triangles")
 
 
 def zero_crossing(p_a, p_b, s_a, s_b):
@@ -97,24 +97,13 @@ def zero_crossing(p_a, p_b, s_a, s_b):
     return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b - s_a)[:, None]
 
 
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
-    """Backward of eq. (8), `zero_crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
-    grad_s_b (E,).
-
-    >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
-    >>> s_a, s_b = np.array([-1.0]), np.array([3.0])
-    >>> zero_crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, s_a, s_b)
-    (array([[12.,  0.,  0.]]), array([[4., 0., 0.]]), array([-12.]), array([-4.]))
-    """
-    raise NotImplementedError("exercise 15.12: zero_crossing_backward")
-
-
-def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
+def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.8 (6 points)
     """The surface of all tetrahedra as a mesh: vertices (V, 3), faces (F, 3), ends (V, 2).
 
-    points (G, 3), distance (G,), tetrahedra (T, 4): loop over the 16 cases, not over T. The corners
-    of `tetrahedron_triangles` are the vertices, at eq. (8)'s points, each once. ends are the grid
-    points of their edges, inside first. Vertices are sorted by them.
+    points (G, 3), distance (G,), tetrahedra (T, 4): 3 sees 0, 1, 2 counter-clockwise. From outside,
+    faces are seen so. Each crossed edge has one vertex, its `zero_crossing`. ends are the edge's
+    points, inside first. Vertices are sorted by them. Loop over the 16 cases, not over T. It makes
+    the meshes of the demos `representations` and `hole`.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])
@@ -126,30 +115,34 @@ def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
     area. They stay, so that the mesh is closed. Without a surface V = F = 0. The order of the faces
     and their first corner are free.
     """
-    inside = distance < 0
-    case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
-    crossed = (0 < case) & (case < 15)
-    tetrahedra, case = tetrahedra[crossed], case[crossed]
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1], np.int64)
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = np.stack(np.divmod(edge, len(points))).astype(np.intp)
-    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
+    raise NotImplementedError("exercise 15.8: marching_tetrahedra")
 
 
-def marching_tetrahedra_backward(grad_vertices, ends, points, distance):
-    """Backward of `marching_tetrahedra`, which gave ends: which edges are crossed is held.
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # step 15.9
+    """Backward of eq. (8), `zero_crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
+    grad_s_b (E,).
 
-    grad_vertices (V, 3) -> grad_points (G, 3), grad_distance (G,).
+    >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
+    >>> s_a, s_b = np.array([-1.0]), np.array([3.0])
+    >>> zero_crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, s_a, s_b)
+    (array([[12.,  0.,  0.]]), array([[4., 0., 0.]]), array([-12.]), array([-4.]))
     """
-    # A vertex gathers what it needs from its two ends, so its gradients are scattered to them.
-    a, b = ends.T
-    grad_a, grad_b, *grad_s = zero_crossing_backward(grad_vertices, points[a], points[b],
-                                                     distance[a], distance[b])
-    both_ends = np.concatenate([a, b])
-    grad_points = scatter(np.concatenate([grad_a, grad_b]), both_ends, len(points))
-    return grad_points, scatter(np.concatenate(grad_s), both_ends, len(points))
+    raise NotImplementedError("exercise 15.9: zero_crossing_backward")
+
+
+def marching_tetrahedra_backward(grad_vertices, ends, points,  # exercise 15.10 (2 points)
+                                 distance):
+    """Backward of `marching_tetrahedra`: grad_vertices (V, 3) -> grad_points (G, 3), grad_distance
+    (G,).
+
+    ends (V, 2) are held: vertex v lies between the points ends[v]. A point gets the sum of what all
+    of its vertices have for it (`scatter`). The demo `hole` opens one by it.
+
+    >>> points, distance = np.diag([0.0, 4.0, 8.0]), np.array([3.0, -1.0, 1.0])
+    >>> grad_vertices, ends = np.array([[0.0, 4, 0], [0, 2, 0]]), np.array([[1, 0], [1, 2]])
+    >>> marching_tetrahedra_backward(grad_vertices, ends, points, distance)
+    (array([[0., 1., 0.],
+           [0., 4., 0.],
+           [0., 1., 0.]]), array([1., 5., 2.]))
+    """
+    raise NotImplementedError("exercise 15.10: marching_tetrahedra_backward")

@@ -240,14 +240,13 @@ def carving_backward(grad_carving, target, faces, buffers):
     return pipeline.to_vertices(grad_fine, buffers, faces)[:, 0]
 
 
-def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.15 (6 points)
+def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (5 points)
                              targets, weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
     views: K Targets, for `render_views` and its backward pass. targets (K, H, W, 4): their
     pictures. vertices, albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light,
-    grad_level.
-    To watch: `python3 -m course demo --impl labs reconstruct`.
+    grad_level. To watch: `python3 -m course demo --impl labs reconstruct`.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])
@@ -259,7 +258,7 @@ def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 
     >>> float(loss), grad_albedo.sum(0).round(6)
     (0.25, array([0.333333, 0.333333, 0.333333]))
     """
-    raise NotImplementedError("exercise 16.15: views_loss_and_gradients")
+    raise NotImplementedError("exercise 16.9: views_loss_and_gradients")
 
 
 # --- the fit ------------------------------------------------------------------------------------
@@ -291,9 +290,8 @@ def regularizers_backward(weights, found, x):
     edges = reconstruction.closed_mesh_edges(found.faces)
     by_bumps = reconstruction.bumps_backward(weights.bumps / cell**2, found.vertices,
                                              found.normals, edges)
-    by_changes = reconstruction.sign_changes_backward(
-        weights.sign_changes / len(found.vertices), x.distance / cell, found.ends) / cell
-    return by_bumps, by_changes
+    _, by_changes = reconstruction.sign_changes(x.distance / cell, found.ends)
+    return by_bumps, by_changes * (weights.sign_changes / len(found.vertices) / cell)
 
 
 def learning_rates(stage):

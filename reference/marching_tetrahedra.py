@@ -70,7 +70,7 @@ def grid_weights(points, n):
     return scipy.sparse.csr_array(entries, shape=(len(points), (n + 1)**3))
 
 
-def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
+def tetrahedron_triangles(inside):  # step 15.7
     """The surface in one tetrahedron: inside (4,) bool, of its vertices -> triangles (K, 3, 2).
 
     Each corner is an edge, a vertex inside and one outside. Seen from the vertices outside, it is
@@ -107,28 +107,13 @@ def zero_crossing(p_a, p_b, s_a, s_b):
     return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b - s_a)[:, None]
 
 
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
-    """Backward of eq. (8), `zero_crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
-    grad_s_b (E,).
-
-    >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
-    >>> s_a, s_b = np.array([-1.0]), np.array([3.0])
-    >>> zero_crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, s_a, s_b)
-    (array([[12.,  0.,  0.]]), array([[4., 0., 0.]]), array([-12.]), array([-4.]))
-    """
-    # p = (1 - t) p_a + t p_b with t = s_a / (s_a - s_b): dt/ds_a = -s_b / (s_a - s_b)^2.
-    t = (s_a / (s_a - s_b))[:, None]
-    span = s_b - s_a
-    grad_t = (grad_p * (p_b - p_a)).sum(-1)
-    return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
-
-
-def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
+def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.8 (6 points)
     """The surface of all tetrahedra as a mesh: vertices (V, 3), faces (F, 3), ends (V, 2).
 
-    points (G, 3), distance (G,), tetrahedra (T, 4): loop over the 16 cases, not over T. The corners
-    of `tetrahedron_triangles` are the vertices, at eq. (8)'s points, each once. ends are the grid
-    points of their edges, inside first. Vertices are sorted by them.
+    points (G, 3), distance (G,), tetrahedra (T, 4): 3 sees 0, 1, 2 counter-clockwise. From outside,
+    faces are seen so. Each crossed edge has one vertex, its `zero_crossing`. ends are the edge's
+    points, inside first. Vertices are sorted by them. Loop over the 16 cases, not over T. It makes
+    the meshes of the demos `representations` and `hole`.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])
@@ -155,10 +140,36 @@ def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
     return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
 
 
-def marching_tetrahedra_backward(grad_vertices, ends, points, distance):
-    """Backward of `marching_tetrahedra`, which gave ends: which edges are crossed is held.
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # step 15.9
+    """Backward of eq. (8), `zero_crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
+    grad_s_b (E,).
 
-    grad_vertices (V, 3) -> grad_points (G, 3), grad_distance (G,).
+    >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
+    >>> s_a, s_b = np.array([-1.0]), np.array([3.0])
+    >>> zero_crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, s_a, s_b)
+    (array([[12.,  0.,  0.]]), array([[4., 0., 0.]]), array([-12.]), array([-4.]))
+    """
+    # p = (1 - t) p_a + t p_b with t = s_a / (s_a - s_b): dt/ds_a = -s_b / (s_a - s_b)^2.
+    t = (s_a / (s_a - s_b))[:, None]
+    span = s_b - s_a
+    grad_t = (grad_p * (p_b - p_a)).sum(-1)
+    return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
+
+
+def marching_tetrahedra_backward(grad_vertices, ends, points,  # exercise 15.10 (2 points)
+                                 distance):
+    """Backward of `marching_tetrahedra`: grad_vertices (V, 3) -> grad_points (G, 3), grad_distance
+    (G,).
+
+    ends (V, 2) are held: vertex v lies between the points ends[v]. A point gets the sum of what all
+    of its vertices have for it (`scatter`). The demo `hole` opens one by it.
+
+    >>> points, distance = np.diag([0.0, 4.0, 8.0]), np.array([3.0, -1.0, 1.0])
+    >>> grad_vertices, ends = np.array([[0.0, 4, 0], [0, 2, 0]]), np.array([[1, 0], [1, 2]])
+    >>> marching_tetrahedra_backward(grad_vertices, ends, points, distance)
+    (array([[0., 1., 0.],
+           [0., 4., 0.],
+           [0., 1., 0.]]), array([1., 5., 2.]))
     """
     # A vertex gathers what it needs from its two ends, so its gradients are scattered to them.
     a, b = ends.T

@@ -240,14 +240,13 @@ def carving_backward(grad_carving, target, faces, buffers):
     return pipeline.to_vertices(grad_fine, buffers, faces)[:, 0]
 
 
-def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.15 (6 points)
+def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (5 points)
                              targets, weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
     views: K Targets, for `render_views` and its backward pass. targets (K, H, W, 4): their
     pictures. vertices, albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light,
-    grad_level.
-    To watch: `python3 -m course demo --impl labs reconstruct`.
+    grad_level. To watch: `python3 -m course demo --impl labs reconstruct`.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])
@@ -263,9 +262,8 @@ def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 
     colours = reconstruction.shade(albedo, n, light)
     shape = pipeline.make_mesh(vertices, faces)
     pictures, buffers = render_views(shape, colours, views)
-    loss = reconstruction.picture_loss(pictures, targets, weight)
+    loss, grad_pictures = reconstruction.picture_loss(pictures, targets, weight)
 
-    grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
     grad_vertices, grad_colours, grad_level = render_views_backward(grad_pictures, buffers, shape,
                                                                     colours, views)
     grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, n, light)
@@ -302,9 +300,8 @@ def regularizers_backward(weights, found, x):
     edges = reconstruction.closed_mesh_edges(found.faces)
     by_bumps = reconstruction.bumps_backward(weights.bumps / cell**2, found.vertices,
                                              found.normals, edges)
-    by_changes = reconstruction.sign_changes_backward(
-        weights.sign_changes / len(found.vertices), x.distance / cell, found.ends) / cell
-    return by_bumps, by_changes
+    _, by_changes = reconstruction.sign_changes(x.distance / cell, found.ends)
+    return by_bumps, by_changes * (weights.sign_changes / len(found.vertices) / cell)
 
 
 def learning_rates(stage):

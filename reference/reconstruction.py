@@ -60,7 +60,7 @@ def sh_basis_backward(grad_basis, normals):  # extra 16.2 (2 points)
                      C1 * g[2] + C2 * (y * g[5] + x * g[7]) + 6 * C3 * z * g[6]], -1)
 
 
-def distant_light(towards, strength):  # extra 16.3 (2 points)
+def distant_light(towards, strength):
     """Eq. (2), summed over N lamps: nine numbers for each colour.
 
     towards (N, 3), unit directions to the lamps, strength (N, C) -> light (9, C).
@@ -72,7 +72,7 @@ def distant_light(towards, strength):  # extra 16.3 (2 points)
     return A[:, None] * (sh_basis(towards).T @ strength)
 
 
-def shade(albedo, normals, light):  # exercise 16.4 (1 point)
+def shade(albedo, normals, light):
     """Eq. (3), with E of eq. (1): what colour leaves each vertex?
 
     albedo (V, C), normals (V, 3), light (9, C) -> colours (V, C).
@@ -85,9 +85,9 @@ def shade(albedo, normals, light):  # exercise 16.4 (1 point)
     return albedo * (sh_basis(normals) @ light)
 
 
-def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 points)
+def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.3 (3 points)
     """Backward of `shade`: grad_colour (V, C) -> grad_albedo (V, C), grad_normals (V, 3),
-    grad_light (9, C). `sh_basis_backward` is of use.
+    grad_light (9, C). `sh_basis_backward` is of use. The demo `reconstruct` finds light by it.
 
     >>> light = np.zeros((9, 1))
     >>> light[0], light[2] = 3 / C0, 2 / C1
@@ -103,10 +103,11 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
     return grad_colour * (basis @ light), grad_normals, basis.T @ grad_irradiance
 
 
-def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (5 points)
+def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.4 (5 points)
     """Backward of eq. (4), which is `course.given.mesh.vertex_normals`.
 
-    grad_normals, vertices (V, 3), faces (F, 3) -> grad_vertices (V, 3).
+    grad_normals, vertices (V, 3), faces (F, 3) -> grad_vertices (V, 3). `mesh.area_vectors` gives
+    the cross products. By it, shading shapes what the demo `reconstruct` finds.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
@@ -135,33 +136,25 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (5 
 # --- what the pictures say: eq. (5) and (6) -----------------------------------------------------
 
 
-def picture_loss(picture, target, weight):
-    """Eq. (5), of one picture or several of one size -> a number.
+def picture_loss(picture, target, weight):  # exercise 16.5 (2 points)
+    """Eq. (5), of one picture or several of one size -> the loss, a number, and grad_picture
+    (..., 4).
 
     picture, target (..., 4): red, green, blue, and how much of the pixel is covered. Each mean is
-    over its own numbers: three times as many are of colour.
+    over its own numbers: three times as many are of colour. It leads the demo `reconstruct`.
 
     >>> picture, target = np.array([[[1.0, 2, 3, 1.0]]]), np.array([[[1.0, 2, 0, 0.5]]])
-    >>> float(picture_loss(picture, target, 4.0))
-    4.0
-    """
-    square = (picture - target)**2
-    return square[..., :3].mean() + weight * square[..., 3].mean()
-
-
-def picture_loss_backward(grad_loss, picture, target, weight):  # exercise 16.8 (1 point)
-    """Backward of `picture_loss`, eq. (5): grad_loss, a number -> grad_picture (..., 4).
-
-    >>> picture, target = np.array([[[1.0, 2, 3, 1.0]]]), np.array([[[1.0, 2, 0, 0.5]]])
-    >>> picture_loss_backward(10.0, picture, target, 4.0)
-    array([[[ 0.,  0., 20., 40.]]])
+    >>> picture_loss(picture, target, 4.0)
+    (np.float64(4.0), array([[[0., 0., 2., 4.]]]))
     """
     # A square has the slope 2 x; one number of a mean over N of them has the share 1 / N.
+    square = (picture - target)**2
     shares = np.array([1 / 3, 1 / 3, 1 / 3, weight])
-    return 2 * grad_loss * shares * (picture - target) / picture[..., 0].size
+    return (square[..., :3].mean() + weight * square[..., 3].mean(),
+            2 * shares * (picture - target) / picture[..., 0].size)
 
 
-def level_backward(grad_level, ends, distance):  # extra 16.9 (2 points)
+def level_backward(grad_level, ends, distance):  # extra 16.6 (2 points)
     """Backward of s at the vertices, eq. (6), with t held: grad_level (V,) -> grad_distance (G,).
 
     distance (G,), ends (V, 2): vertex v lies where s = 0 between the grid's points a, b = ends[v].
@@ -179,40 +172,26 @@ def level_backward(grad_level, ends, distance):  # extra 16.9 (2 points)
 # --- what every surface should be: eq. (7), and no bumps ----------------------------------------
 
 
-def sign_changes(distance, edges):  # exercise 16.10 (2 points)
-    """Eq. (7), summed over the crossed edges: what does it cost to change sign? -> a number.
+def sign_changes(distance, edges):  # exercise 16.7 (3 points)
+    """Eq. (7), summed over the crossed edges: what does it cost to change sign, and its gradient?
 
-    distance (G,), edges (E, 2). Either end of an edge may come first.
+    distance (G,), edges (E, 2), either end first -> the price, a number, grad_distance (G,). The
+    edges that are crossed stay crossed. It removes crumbs in the demo `reconstruct`.
 
-    >>> round(sign_changes(np.array([-1.0, 2.0, 0.5]), np.array([[0, 1], [1, 2], [2, 0]])), 6)
-    np.float64(5.727528)
+    >>> distance, edges = np.array([-np.log(3), np.log(3), 0.0]), np.array([[0, 1], [2, 0], [1, 2]])
+    >>> price, grad_distance = sign_changes(distance, edges)
+    >>> np.exp(price).round(9), grad_distance.round(9)
+    (np.float64(128.0), array([-1.5 ,  0.75,  0.5 ]))
 
     Fine print. A distance of 0 has the sign +, as in lab 15, so that no edge has a third kind of
-    end. Large distances such as 1000 do not overflow.
+    end, and the slope of a small positive one. Large distances such as 1000 do not overflow.
     """
-    s_a, s_b = distance[edges.T]
-    crossed = (s_a < 0) != (s_b < 0)
-    # The signs differ, and so an end's own sign is not that of the other one: -s sign(other) = |s|.
-    return np.logaddexp(0, np.abs([s_a[crossed], s_b[crossed]])).sum()
-
-
-def sign_changes_backward(grad_changes, distance, edges):  # extra 16.11 (3 points)
-    """Backward of eq. (7): grad_changes, a number -> grad_distance (G,).
-
-    The edges that are crossed stay crossed.
-
-    >>> sign_changes_backward(2.0, np.array([-np.log(3), np.log(3), 0.0]),
-    ...                       np.array([[0, 1], [1, 2], [2, 0]])).round(9)
-    array([-3. ,  1.5,  1. ])
-
-    Fine print. A distance of 0 has the slope of a small positive one. Large distances such as 1000
-    do not overflow.
-    """
-    # A crossed edge adds log(1 + exp(|s|)) for each end, with the slope sign(s) / (1 + exp(-|s|)).
-    a, b = edges[(distance[edges] < 0).sum(1) == 1].T
-    sign = np.where(distance < 0, -1, 1)
-    slope = sign / (1 + np.exp(-np.abs(distance)))
-    return grad_changes * slope * np.bincount(np.concatenate([a, b]), minlength=len(distance))
+    # The signs differ, so an end's own sign is not that of the other one: -s sign(other) = |s|. It
+    # pays log(1 + exp(|s|)), with the slope sign(s) / (1 + exp(-|s|)).
+    ends = edges[(distance[edges] < 0).sum(1) == 1].ravel()
+    price = np.logaddexp(0, np.abs(distance[ends])).sum()
+    slope = np.where(distance < 0, -1, 1) / (1 + np.exp(-np.abs(distance)))
+    return price, slope * np.bincount(ends, minlength=len(distance))
 
 
 def closed_mesh_edges(faces):
@@ -241,7 +220,7 @@ def bumps_backward(grad_bumps, vertices, normals, edges):
 # --- the step: eq. (8) --------------------------------------------------------------------------
 
 
-def spread(x, amount):  # extra 16.12 (4 points)
+def spread(x, amount):  # extra 16.8 (4 points)
     """Eq. (8): y with y + amount * Laplacian(y) = x on a grid of m^3 points.
 
     x (G,) or (G, C), in `tetrahedral_grid`'s order -> y. The Laplacian sums y - y' over the
@@ -259,7 +238,7 @@ def spread(x, amount):  # extra 16.12 (4 points)
     return scipy.fft.idctn(coefficients, axes=(0, 1, 2), norm="ortho").reshape(x.shape)
 
 
-def genus(faces):  # extra 16.13 (2 points)
+def genus(faces):  # extra 16.10 (2 points)
     """Eq. (9): of a closed mesh, faces (F, 3) -> how many pieces it has, and its genus.
 
     V counts the vertices that some face names, E each edge once. Pieces share no vertex. The genus
@@ -275,7 +254,7 @@ def genus(faces):  # extra 16.13 (2 points)
     return int(pieces), int(pieces - (len(named) - len(faces) // 2) // 2)
 
 
-def best_scale(found, truth):  # extra 16.14 (1 point)
+def best_scale(found, truth):
     """By what factor for each colour does found come nearest to truth, in the least squares?
 
     found, truth (V, C) -> (C,). Half the albedo in twice the light is the same picture, so nobody

@@ -17,7 +17,6 @@ from .implicit_surfaces import (
     density_of,
     normals,
     ray_samples,
-    ray_weights,
     signed_distance,
     sphere_trace,
     volume_render,
@@ -60,8 +59,8 @@ def render_volume(shape, view, lighting, near, far, beta=0.01, count=128):
     """A shape as a volume with the density of eq. (7): picture (height, width, 3).
 
     Each ray has count samples, from near to far along it, from the camera's near plane on. Pieces
-    longer than beta fray the edges. A sample of a weight up to 1e-6 is seen by nobody, and stays
-    black.
+    longer than beta fray the edges. A sample that stops a millionth of the light or less is seen by
+    nobody, and stays black.
     """
     origins, directions = camera_rays(view.clip_from_model, view.width, view.height)
     picture = np.empty((len(origins), 3))
@@ -69,8 +68,7 @@ def render_volume(shape, view, lighting, near, far, beta=0.01, count=128):
     for rays in np.array_split(np.arange(len(origins)), max(parts, 1)):
         points, spacing = ray_samples(origins[rays], directions[rays], near, far, count)
         density = density_of(signed_distance(points, shape), beta)
-        weights, _ = ray_weights(density, spacing)
-        seen = weights > 1e-6
+        seen = density * spacing > 1e-6
         colours = np.zeros(points.shape)
         colours[seen] = lit(normals(points[seen], shape), lighting)
         picture[rays] = volume_render(density, colours, spacing, view.background)

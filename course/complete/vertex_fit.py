@@ -41,9 +41,8 @@ def loss_and_gradients(x, faces, views, bumps):
     shape = pipeline.make_mesh(x.vertices, faces)
     targets = np.stack([view.picture for view in views])
     pictures, buffers = render_views(shape, x.colours, views)
-    loss = reconstruction.picture_loss(pictures, targets, 1.0)
+    loss, grad_pictures = reconstruction.picture_loss(pictures, targets, 1.0)
 
-    grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, 1.0)
     grad_vertices, grad_colours, _ = render_views_backward(grad_pictures, buffers, shape, x.colours,
                                                            views)
     by_bumps = reconstruction.bumps_backward(

@@ -23,6 +23,7 @@
     shadow             the bunny's shadow on the ground, hard and soft
     still_life         teapot, bunny, ball and ring by a window
     representations    one shape as a formula, in a grid and as triangles
+    hole               a ball becomes a ring, by the distances in a grid
     fit_volume         density and colour in a grid
     reconstruct        shape, albedo and light of objects never seen
     paint_and_light    albedo and light told apart, on pictures of a path tracer

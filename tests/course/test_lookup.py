@@ -11,7 +11,7 @@ from labkit.checks import loader, retries, runner
 from labkit.checks.report import is_fine_print
 from labkit.grading.apart import wire
 
-TABLES = {"15.10": "of four truth values there are 16, and the table of their answers is right"}
+TABLES = {"15.7": "of four truth values there are 16, and the table of their answers is right"}
 TOPICS = {topic: exercises.topic_exercises(topic) for topic in exercises.asking_topics()}
 
 

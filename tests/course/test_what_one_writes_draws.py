@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
+from what_late_labs_draw import lab_15, lab_16
 
 from course.given import faster
 from course.given.whose import Labs
@@ -17,7 +18,9 @@ from labkit.upkeep import mistakes
 DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradients",
                    "rasterizer_gradients", "antialiasing", "outlines", "outline_walk",
                    "inverse_rendering", "pipeline"),
-           surfaces: ("regularization", "remeshing")}
+           surfaces: ("regularization", "remeshing"),
+           lab_15: ("implicit_surfaces", "marching_tetrahedra"),
+           lab_16: ("reconstruction", "multi_view_fit")}
 ENOUGH = 3  # mistakes of each exercise, at least, must show
 CORE = [(drawn, topic, one.name) for drawn, topics in DRAWING.items() for topic in topics
         for one in exercises.topic_exercises(topic) if not one.is_extra and one.points]

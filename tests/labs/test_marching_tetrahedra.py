@@ -34,7 +34,7 @@ def around(triangles):
     return sorted(edge for edge in edges if edge[::-1] not in edges)
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_no_case_is_left_out(impl):
     """The number of triangles: 1 where one or three vertices are inside, 2 where two are. A case is
     left out, two inside give one triangle, or four corners come as they are and not as triangles.
@@ -44,7 +44,7 @@ def test_no_case_is_left_out(impl):
         assert_equal(got.shape, (1 + (sum(inside) == 2), 3, 2), given=f"inside {inside}")
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_each_corner_is_an_edge_that_is_crossed(impl):
     """A corner joins two vertices inside, or two outside, or an edge that is crossed has no corner.
     To mend an odd order, a vertex inside is exchanged with one outside, and not two of one side.
@@ -65,7 +65,7 @@ def check_inside_first(impl, cases):
                                            "vertices of all corners inside?")
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_the_vertex_inside_comes_first(impl):
     """A corner is (outside, inside), or inside and outside are swapped: triangles lie around the
     vertices outside.
@@ -74,7 +74,7 @@ def test_the_vertex_inside_comes_first(impl):
     check_inside_first(impl, [case for case in CASES if sorted(case, reverse=True) == list(case)])
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_the_vertex_inside_comes_first_whatever_its_number(impl):
     """A corner has its smaller vertex first: both are sorted by their numbers, or the vertices
     inside are taken to be the first ones, or their numbers belong to another order of the four.
@@ -82,7 +82,7 @@ def test_the_vertex_inside_comes_first_whatever_its_number(impl):
     check_inside_first(impl, CASES)
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_one_vertex_inside_is_one_triangle(impl):
     """Vertex 0 is inside. The winding is clockwise seen from outside, so that all triangles face
     inward; is it the opposite of what is asked, or of 0, 1, 2?
@@ -91,7 +91,7 @@ def test_one_vertex_inside_is_one_triangle(impl):
     assert_equal(around(triangles), [((0, 1), (0, 2)), ((0, 2), (0, 3)), ((0, 3), (0, 1))])
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_any_one_vertex_inside_is_one_triangle(impl):
     """Right for vertex 0, and wound the wrong way for others: an odd order of the four vertices
     mirrors space, see `is_odd`, and is taken for a turn.
@@ -102,7 +102,7 @@ def test_any_one_vertex_inside_is_one_triangle(impl):
                                                 ((a, d), (a, b))]))
 
 
-@exercise("15.10")
+@exercise("15.7")
 def test_three_vertices_inside_are_one_triangle(impl):
     """Three inside are treated as one inside with the roles exchanged, and the triangle is not
     turned round: it faces inward. Or odd orders are taken for turns here.
@@ -113,14 +113,14 @@ def test_three_vertices_inside_are_one_triangle(impl):
                                                 ((b, a), (d, a))]))
 
 
-@exercise("15.10", fine_print=True)
+@exercise("15.7", fine_print=True)
 def test_nothing_or_all_inside_is_no_triangle(impl):
     """Without a surface there is an error, or a triangle where there is none."""
     for inside in np.zeros(4, bool), np.ones(4, bool):
         assert_close(impl.tetrahedron_triangles(inside), np.zeros((0, 3, 2)))
 
 
-@exercise("15.10")
+@exercise("15.7")
 @each_case
 def test_corners_lie_on_the_crossed_edges(impl, inside):
     """A pair of vertices on one side, the vertex outside first, or a corner is left out."""
@@ -130,7 +130,7 @@ def test_corners_lie_on_the_crossed_edges(impl, inside):
     assert_equal(len(triangles), {3: 3, 4: 6}[len(crossed)])
 
 
-@exercise("15.10")
+@exercise("15.7")
 @each_case
 def test_the_border_goes_round_once_from_face_to_face(impl, inside):
     """With two inside, the four corners are not in their order around the quadrangle: two triangles
@@ -144,7 +144,7 @@ def test_the_border_goes_round_once_from_face_to_face(impl, inside):
         assert_equal(len({*start, *end}), 3)
 
 
-@exercise("15.10")
+@exercise("15.7")
 @each_case
 def test_the_front_faces_the_outside(impl, rng, inside):
     """A case is wound the wrong way: its triangles face inward, clockwise seen from outside. It may
@@ -157,62 +157,6 @@ def test_the_front_faces_the_outside(impl, rng, inside):
             for vertex, within in zip(corners, inside, strict=True):
                 assert_equal(bool(normal @ (vertex - a) < 0), within,
                              given=f"inside {inside}: is a vertex behind the triangle?")
-
-
-# Four edges, crossed where P_A + t STEP is, t = s_a / (s_a - s_b).
-P_A = np.array([[1.0, 2.0, -3.0], [4.0, -1.0, 2.0], [-2.0, 3.0, 5.0], [0.5, -4.0, 1.0]])
-STEP = np.array([[2.0, 4.0, 1.0], [3.0, 5.0, -1.0], [-4.0, 2.0, 3.0], [7.0, 1.0, 10.0]])
-S_A, S_B = np.array([-1.0, -6.0, -2.0, -2.0]), np.array([3.0, 2.0, 3.0, 8.0])
-GRAD_P = np.array([[5.0, 4.0, 6.0], [8.0, 7.0, -5.0], [6.0, -7.0, -4.0], [10.0, 20.0, 21.0]])
-
-
-@exercise("15.12")
-def test_gradients_of_both_points_on_paper(impl):
-    """grad_p_a and grad_p_b: the weights of both ends are swapped, the nearer end gets the smaller
-    part, t has the wrong sign, or is divided by s_a + s_b, or an end gets all, or a half.
-    """
-    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
-    assert_close(got[:2], (np.array([0.75, 0.25, 0.6, 0.8])[:, None] * GRAD_P,
-                           np.array([0.25, 0.75, 0.4, 0.2])[:, None] * GRAD_P))
-
-
-@exercise("15.12")
-def test_gradients_of_both_distances_on_paper(impl):
-    """grad_s_a and grad_s_b: both are swapped, opposite to each other, or 0. A sign is wrong, as
-    where |s_a| stands for s_a. s_b - s_a is not squared. The denominator's derivative is missing.
-    grad_p's three numbers are not summed along p_b - p_a.
-    """
-    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
-    # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
-    # times s_a / (s_b - s_a)^2.
-    assert_close(got[2], [-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
-    assert_close(got[3], [-32 * 1 / 16, -64 * 6 / 64, 50 * 2 / 25, -300 * 2 / 100])
-
-
-@exercise("15.12")
-def test_gradients_of_crossings_are_central_differences(impl, rng, gradcheck):
-    """Edges are mixed, or one coordinate alone counts: x, y and z all move the crossing."""
-    def forward(p_a, p_b, s_a, s_b):
-        return np.stack([(a * t - b * s) / (t - s)
-                         for a, b, s, t in zip(p_a, p_b, s_a, s_b, strict=True)])
-
-    p_a, p_b = rng.normal(size=(2, 7, 3))
-    s_a, s_b = -rng.uniform(0.3, 2, 7), rng.uniform(0.3, 2, 7)
-    gradcheck(forward, impl.zero_crossing_backward, (p_a, p_b, s_a, s_b), name="zero_crossing")
-
-
-@exercise("15.12")
-def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
-    """s_b = 0 is divided by, or what is divided by is kept away from 0 where distances are small.
-    """
-    p_a, p_b, grad_p = np.array([[0.0, 0, 0]]), np.array([[0.0, 8.0, 0]]), np.array([[5.0, 2.0, 0]])
-    for unit in 1.0, 1e-6:
-        got = impl.zero_crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]),
-                                          np.array([0.0]))
-        assert_close(got[0], 0 * grad_p)
-        assert_close(got[1], grad_p)
-        assert_close(got[2], [0.0])
-        assert_close(got[3] * unit, [-4.0])
 
 
 def random_tetrahedra(rng, count=40):
@@ -242,7 +186,7 @@ def directed_edges(faces):
     return [(int(f[k]), int(f[(k + 1) % 3])) for f in faces for k in range(3)]
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_one_tetrahedron_on_paper(impl):
     """Another vertex is taken to be inside: the bits of a case are read in reverse, or < is >.
     Numbers are those within the tetrahedron, and not the grid's. A row of ends has the outside or
@@ -256,7 +200,7 @@ def test_one_tetrahedron_on_paper(impl):
     assert_close(vertices, [[7.0, 4.0, 3.0], [5.0, 2.0, 3.0], [8.0, 2.0, 4.0]])
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_the_face_of_one_tetrahedron_on_paper(impl):
     """All faces are wound inward, clockwise seen from outside: their corners are in reverse order.
     Or faces do not name the rows of vertices.
@@ -268,7 +212,7 @@ def test_the_face_of_one_tetrahedron_on_paper(impl):
         assert_equal(sorted(directed_edges(faces)), edges)
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_each_case_of_one_tetrahedron_has_its_faces(impl):
     """A case is left out: the loop over range ends before case 14, where all are inside but one
     vertex, or begins after case 1, or those with two inside are missing. The surface has holes.
@@ -280,7 +224,7 @@ def test_each_case_of_one_tetrahedron_has_its_faces(impl):
                      given=f"one tetrahedron, inside {inside}: how many faces?")
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_two_triangles_of_one_tetrahedron_share_two_vertices(impl):
     """Vertices of the same edge are not merged: each triangle has its own three, and an edge's
     vertex comes more than once. Each is to come once, as from np.unique.
@@ -292,7 +236,7 @@ def test_two_triangles_of_one_tetrahedron_share_two_vertices(impl):
                      given=f"one tetrahedron, inside {inside}: how many vertices, and ends?")
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_two_tetrahedra_share_the_points_of_their_edges(impl):
     """Vertices are not merged: they come several times, each triangle or tetrahedron has its own
     vertices, and the mesh falls apart.
@@ -308,7 +252,7 @@ def test_two_tetrahedra_share_the_points_of_their_edges(impl):
     assert_equal(sorted(directed_edges(faces)), [(0, 2), (1, 0), (1, 2), (2, 1), (2, 3), (3, 1)])
 
 
-@exercise("15.13", fine_print=True)
+@exercise("15.8", fine_print=True)
 def test_zero_is_outside_and_nothing_is_no_surface(impl):
     """A distance of 0 counts as inside, <= for <; or without a surface there is an error."""
     tetrahedra = np.array([[0, 1, 2, 3]])
@@ -320,7 +264,7 @@ def test_zero_is_outside_and_nothing_is_no_surface(impl):
                      (np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2))))
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_vertices_are_the_crossed_edges_of_the_grid_each_once(impl, rng):
     """Vertices come more than once, in the order of tetrahedra, or in another order than that of
     their ends, or the ends are sorted by number and not inside first.
@@ -336,7 +280,7 @@ def test_vertices_are_the_crossed_edges_of_the_grid_each_once(impl, rng):
     assert_close(vertices, a + share * (b - a))
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_random_fields_give_closed_and_consistently_wound_surfaces(impl, rng):
     """A case is left out, so that there are holes, or is doubled, or wound against its neighbours.
     """
@@ -350,7 +294,7 @@ def test_random_fields_give_closed_and_consistently_wound_surfaces(impl, rng):
         assert_equal(sorted(set(np.ravel(faces).tolist())), list(range(len(vertices))))
 
 
-@exercise("15.13")
+@exercise("15.8")
 def test_the_volume_within_is_the_volume_of_what_is_inside(impl, rng):
     """All faces are wound inward, or one tetrahedron's surface lies in another place."""
     points, tetrahedra = random_tetrahedra(rng, 25)
@@ -366,7 +310,7 @@ def test_the_volume_within_is_the_volume_of_what_is_inside(impl, rng):
     assert_close((a * np.cross(b, c)).sum() / 6, expected, rtol=1e-9)
 
 
-@exercise("15.13", fine_print=True)
+@exercise("15.8", fine_print=True)
 def test_many_points_do_not_get_mixed_up(impl):
     """Numbers of edges overflow, or collide, where the grid is large: 70,000 points."""
     points = np.arange(210_000.0).reshape(-1, 3) % 7
@@ -378,7 +322,7 @@ def test_many_points_do_not_get_mixed_up(impl):
     assert_equal(sorted(map(sorted, faces.tolist())), [[0, 1, 2], [3, 4, 5]])
 
 
-@exercise("15.13", fine_print=True)
+@exercise("15.8", fine_print=True)
 def test_ties_and_tiny_distances_give_closed_surfaces_too(impl, rng):
     """Points at one place are merged, flat faces are left out, or tiny distances count as 0."""
     points, tetrahedra = random_tetrahedra(rng)
@@ -390,3 +334,113 @@ def test_ties_and_tiny_distances_give_closed_surfaces_too(impl, rng):
     assert_equal(len(set(edges)), len(edges))
     assert_equal(sorted(edges), sorted((b, a) for a, b in edges))
     assert_equal(sorted(set(np.ravel(faces).tolist())), list(range(len(vertices))))
+
+
+# Four edges, crossed where P_A + t STEP is, t = s_a / (s_a - s_b).
+P_A = np.array([[1.0, 2.0, -3.0], [4.0, -1.0, 2.0], [-2.0, 3.0, 5.0], [0.5, -4.0, 1.0]])
+STEP = np.array([[2.0, 4.0, 1.0], [3.0, 5.0, -1.0], [-4.0, 2.0, 3.0], [7.0, 1.0, 10.0]])
+S_A, S_B = np.array([-1.0, -6.0, -2.0, -2.0]), np.array([3.0, 2.0, 3.0, 8.0])
+GRAD_P = np.array([[5.0, 4.0, 6.0], [8.0, 7.0, -5.0], [6.0, -7.0, -4.0], [10.0, 20.0, 21.0]])
+
+
+@exercise("15.9")
+def test_gradients_of_both_points_on_paper(impl):
+    """grad_p_a and grad_p_b: the weights of both ends are swapped, the nearer end gets the smaller
+    part, t has the wrong sign, or is divided by s_a + s_b, or an end gets all, or a half.
+    """
+    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
+    assert_close(got[:2], (np.array([0.75, 0.25, 0.6, 0.8])[:, None] * GRAD_P,
+                           np.array([0.25, 0.75, 0.4, 0.2])[:, None] * GRAD_P))
+
+
+@exercise("15.9")
+def test_gradients_of_both_distances_on_paper(impl):
+    """grad_s_a and grad_s_b: both are swapped, opposite to each other, or 0. A sign is wrong, as
+    where |s_a| stands for s_a. s_b - s_a is not squared. The denominator's derivative is missing.
+    grad_p's three numbers are not summed along p_b - p_a.
+    """
+    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
+    # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
+    # times s_a / (s_b - s_a)^2.
+    assert_close(got[2], [-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
+    assert_close(got[3], [-32 * 1 / 16, -64 * 6 / 64, 50 * 2 / 25, -300 * 2 / 100])
+
+
+@exercise("15.9")
+def test_gradients_of_crossings_are_central_differences(impl, rng, gradcheck):
+    """Edges are mixed, or one coordinate alone counts: x, y and z all move the crossing."""
+    def forward(p_a, p_b, s_a, s_b):
+        return np.stack([(a * t - b * s) / (t - s)
+                         for a, b, s, t in zip(p_a, p_b, s_a, s_b, strict=True)])
+
+    p_a, p_b = rng.normal(size=(2, 7, 3))
+    s_a, s_b = -rng.uniform(0.3, 2, 7), rng.uniform(0.3, 2, 7)
+    gradcheck(forward, impl.zero_crossing_backward, (p_a, p_b, s_a, s_b), name="zero_crossing")
+
+
+@exercise("15.9")
+def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
+    """s_b = 0 is divided by, or what is divided by is kept away from 0 where distances are small.
+    """
+    p_a, p_b, grad_p = np.array([[0.0, 0, 0]]), np.array([[0.0, 8.0, 0]]), np.array([[5.0, 2.0, 0]])
+    for unit in 1.0, 1e-6:
+        got = impl.zero_crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]),
+                                          np.array([0.0]))
+        assert_close(got[0], 0 * grad_p)
+        assert_close(got[1], grad_p)
+        assert_close(got[2], [0.0])
+        assert_close(got[3] * unit, [-4.0])
+
+
+# Points 0 and 2 are inside; the vertices lie at 1/4, 2/5 and 3/4 of the edges from there.
+ENDS = np.array([[0, 1], [0, 3], [2, 1]])
+FIELD = np.array([-2.0, 6.0, -18.0, 3.0])
+PLACES = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 8.0], [0.0, 4.0, 4.0], [5.0, 10.0, 0.0]])
+PULL = np.array([[4.0, 8.0, -2.0], [5.0, 0.0, 10.0], [-4.0, 12.0, 4.0]])
+
+
+@exercise("15.10")
+def test_points_of_the_grid_on_paper(impl):
+    """grad_points: the shares of the ends are swapped, one end gets all, or a half. A point that is
+    an end of several vertices keeps the last one's share: += with indices loses the others.
+    """
+    got = impl.marching_tetrahedra_backward(PULL, ENDS, PLACES, FIELD)[0]
+    assert_close(got, [0.75 * PULL[0] + 0.6 * PULL[1], 0.25 * PULL[0] + 0.75 * PULL[2],
+                       0.25 * PULL[2], 0.4 * PULL[1]])
+
+
+@exercise("15.10")
+def test_distances_of_the_grid_on_paper(impl):
+    """grad_distance: a sign is wrong, so that the surface grows with the distances. Both ends are
+    swapped. s_b - s_a is not squared. A point that is an end of several vertices keeps the last
+    one's share. The two outputs are swapped.
+    """
+    got = impl.marching_tetrahedra_backward(PULL, ENDS, PLACES, FIELD)[1]
+    # PULL . (p_b - p_a) is 0, 25, -48.
+    assert_close(got, [-25 * 3 / 25, 48 * 18 / 24**2, 48 * 6 / 24**2, -25 * 2 / 25])
+
+
+@exercise("15.10")
+def test_a_point_without_a_crossed_edge_gets_nothing(impl, rng):
+    """The outputs have as many rows as there are ends or vertices, and not points."""
+    points, distance = rng.normal(size=(9, 3)), np.append(FIELD, rng.uniform(1, 2, 5))
+    grad_points, grad_distance = impl.marching_tetrahedra_backward(PULL, ENDS, points, distance)
+    assert_equal((np.shape(grad_points), np.shape(grad_distance)), ((9, 3), (9,)))
+    assert_equal((np.count_nonzero(grad_points[4:]), np.count_nonzero(grad_distance[4:])), (0, 0))
+
+
+@exercise("15.10")
+def test_gradients_of_the_vertices_are_central_differences(impl, rng, gradcheck):
+    """What moves one end is taken for fixed; or the shares of many vertices are mixed."""
+    points, tetrahedra = random_tetrahedra(rng, 8)
+    distance = rng.choice([-1, 1], len(points)) * rng.uniform(0.3, 1, len(points))
+    ends = rng.permutation(crossed_edges(distance, tetrahedra))
+
+    def forward(points, distance):
+        return np.array([(points[a] * distance[b] - points[b] * distance[a])
+                         / (distance[b] - distance[a]) for a, b in ends])
+
+    def backward(grad_vertices, points, distance):
+        return impl.marching_tetrahedra_backward(grad_vertices, ends, points, distance)
+
+    gradcheck(forward, backward, (points, distance), name="marching_tetrahedra")

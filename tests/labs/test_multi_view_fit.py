@@ -45,7 +45,7 @@ def full_picture(impl):
     return vertices, np.array([[0, 1, 2]]), albedo, light, views, target[None], 5.0
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_five_outputs_have_the_shapes_of_their_inputs(impl):
     """An output is missing, such as the loss, or the outputs are in another order: loss, then the
     gradients of vertices, albedo and light, and grad_level.
@@ -54,7 +54,7 @@ def test_five_outputs_have_the_shapes_of_their_inputs(impl):
     assert_equal(tuple(map(np.shape, found)), ((), (3, 3), (3, 3), (9, 3), (3,)))
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_loss_of_a_full_picture_on_paper(impl):
     """The loss: the albedo is rendered as it is, without the light, for shade is left out.
     Coverage's weight is left out, another picture is the target, or a sum stands for a mean.
@@ -63,7 +63,7 @@ def test_the_loss_of_a_full_picture_on_paper(impl):
     assert_close(loss, (0.5**2 + 0.25**2 + 0.75**2) / 3 + 5 * 0.4**2)
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
     """grad_albedo: grad_colours does not go back through shade_backward, and lacks the light. The
     loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
@@ -74,7 +74,7 @@ def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
     assert_close(np.sum(grad_albedo, 0), grad_colours * [4, 1, 2])
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
     """grad_light: the albedo is missing in shade_backward, or the shaded colours stand for it. Or
     grad_light and grad_albedo are exchanged.
@@ -84,7 +84,7 @@ def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
     assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
     """grad_level: carving's gradient, which comes with grad_colours, is left out, scaled, or added
     to grad_vertices. Those have none here, where light is even. They are no normals' gradients:
@@ -95,7 +95,7 @@ def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
     assert_close(np.abs(grad_vertices).max(), 0.0)
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_three_views_are_the_mean_of_each_alone(impl, rng):
     """One view alone decides, such as the last or the first, views add up and are no mean, or are
     divided by their number once more, or one is compared with the other's target.
@@ -135,7 +135,7 @@ def check_gradient(impl, rng, gradcheck, of):
               name="the step")
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_gradient_of_the_albedo_is_central_differences(impl, rng, gradcheck):
     """grad_albedo: grad_colours comes as it is, without the light of shade_backward; or views,
     pictures or the forward pass's normals are not those of the way there.
@@ -143,13 +143,13 @@ def test_the_gradient_of_the_albedo_is_central_differences(impl, rng, gradcheck)
     check_gradient(impl, rng, gradcheck, [1])
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_gradient_of_the_light_is_central_differences(impl, rng, gradcheck):
     """grad_light: it is wrong where light comes from several sides or the albedo is uneven."""
     check_gradient(impl, rng, gradcheck, [2])
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_gradient_of_the_vertices_is_central_differences(impl, rng, gradcheck):
     """grad_vertices: of its two ways, that through the normals or that through the pictures is
     missing, overwrites the other or has a minus: they are to be added. Coverage's weight is not
@@ -158,7 +158,7 @@ def test_the_gradient_of_the_vertices_is_central_differences(impl, rng, gradchec
     check_gradient(impl, rng, gradcheck, [0])
 
 
-@exercise("16.15")
+@exercise("16.9")
 def test_the_whole_step_is_central_differences(impl, rng, gradcheck):
     """A way back is missing: through outlines, normals, shading, or paint."""
     check_gradient(impl, rng, gradcheck, [0, 1, 2])

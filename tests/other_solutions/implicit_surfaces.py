@@ -19,10 +19,12 @@ def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, m
     return np.array(reached, float), np.array(counts, int)
 
 
-def ray_weights(density, spacing):
-    through = np.exp(-np.cumsum(density * spacing, axis=1))
-    before = np.hstack([np.ones((len(density), 1)), through[:, :-1]])
-    return -np.expm1(-density * spacing) * before, np.exp(-(density * spacing).sum(1))
+def volume_render(density, colour, spacing, background):
+    behind = np.tile(np.asarray(background, float), (len(density), 1))
+    for i in reversed(range(np.shape(density)[1])):
+        kept = np.exp(-density[:, i] * spacing[:, i])[:, None]
+        behind = kept * behind + (1 - kept) * colour[:, i]
+    return behind
 
 
 def volume_render_backward(grad_output, density, colour, spacing, background):

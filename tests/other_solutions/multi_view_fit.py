@@ -8,8 +8,7 @@ from reference.multi_view_fit import Target  # noqa: F401, for the checks
 
 def one_view(shape, colours, view, target, weight):
     (picture,), buffers = multi_view_fit.render_views(shape, colours, [view])
-    loss = reconstruction.picture_loss(picture, target, weight)
-    grad_picture = reconstruction.picture_loss_backward(1.0, picture, target, weight)
+    loss, grad_picture = reconstruction.picture_loss(picture, target, weight)
     return loss, *multi_view_fit.render_views_backward([grad_picture], buffers, shape, colours,
                                                        [view])
 

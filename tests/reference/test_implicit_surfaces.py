@@ -37,6 +37,30 @@ def test_gradients_of_shapes_are_central_differences(shape):
               (points, shape), differentiable=[0], decisions=decisions, name="signed_distance")
 
 
+def test_boxes_and_rings_are_as_far_as_their_nearest_point():
+    """A region is wrong: sides, edges and corners of the box; the hole, and below the plane."""
+    points, half = np.random.default_rng(2).uniform(-2, 2, (400, 3)), np.array([1.0, 0.7, 1.3])
+    outside = np.linalg.norm(points - np.clip(points, -half, half), axis=1)
+    expected = np.where(outside > 0, outside, -(half - np.abs(points)).min(1))
+    np.testing.assert_allclose(implicit_surfaces.box(points, half), expected)
+    on_plane = points * [1, 0, 1]
+    circle = 1.1 * on_plane / np.linalg.norm(on_plane, axis=1, keepdims=True)
+    np.testing.assert_allclose(implicit_surfaces.torus(points, 1.1, 0.3),
+                               np.linalg.norm(points - circle, axis=1) - 0.3)
+
+
+def test_a_smooth_union_is_a_mix_of_both():
+    """It swells far from the seam, or is a groove there; its shares are swapped."""
+    a, b = np.random.default_rng(3).normal(size=(2, 50))
+    for k in 0.3, 1.0, 3.0:
+        h = np.clip(0.5 + 0.5 * (b - a) / k, 0, 1)
+        np.testing.assert_allclose(implicit_surfaces.smooth_union(a, b, k),
+                                   b + h * (a - b) - k * h * (1 - h))
+        gradcheck(implicit_surfaces.smooth_union, implicit_surfaces.smooth_union_backward,
+                  (a, b, k), differentiable=[0, 1], decisions=lambda a, b, k: np.abs(a - b) < k,
+                  name="smooth_union")
+
+
 def test_what_is_no_shape_is_told_in_one_sentence():
     """A misspelt shape ends in an error about unpacking."""
     points = np.zeros((2, 3))

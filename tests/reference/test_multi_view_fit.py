@@ -63,7 +63,7 @@ def test_sign_changes_count_in_cells():
     targets = multi_view_fit.targets_of(capture(1), 1, 1)
 
     def penalty(distance):
-        return reconstruction.sign_changes(distance * 2.5, found.ends) / len(found.vertices)
+        return reconstruction.sign_changes(distance * 2.5, found.ends)[0] / len(found.vertices)
 
     def backward(grad_penalty, distance):
         both = [multi_view_fit.loss_and_gradients(x._replace(distance=distance), targets,

@@ -1,4 +1,4 @@
-"""What is given in lab 16: the loss of pictures, and what counts as a bump."""
+"""What is given in lab 16: paint in light, and what counts as a bump."""
 import numpy as np
 
 from course.given import mesh
@@ -32,12 +32,21 @@ def test_vertices_that_lie_unevenly_in_a_plane_are_no_bumps():
     assert reconstruction.bumps(vertices, normals, mesh.edges(faces)[0]) == 0
 
 
-def test_the_loss_number_by_number():
-    """A sum, not a mean. The mean is of all four channels, or the weight is of the colours. Right
-    for pictures of 0 and 1 alone, or for square ones.
+def test_paint_in_the_light_of_a_lamp_comes_near_the_cosine():
+    """The nine numbers are those of a lamp seen, not of a surface that it lights; the albedo, or
+    light below 0, is left out; or lamps do not add up.
     """
-    picture, target = np.random.default_rng(0).uniform(0, 1, (2, 4, 3, 4))
-    d = (picture - target)**2
-    expected = np.mean([d[i, j, k] for i in range(4) for j in range(3) for k in range(3)])
-    expected += 0.7 * np.mean([d[i, j, 3] for i in range(4) for j in range(3)])
-    np.testing.assert_allclose(reconstruction.picture_loss(picture, target, 0.7), expected)
+    rng = np.random.default_rng(0)
+    normals, towards = mesh.unit(rng.normal(size=(200, 3))), mesh.unit(rng.normal(size=(2, 3)))
+    albedo, strength = rng.uniform(0, 1, (200, 3)), rng.uniform(0, 1, (2, 3))
+    light = reconstruction.distant_light(towards, strength)
+    cosine = normals @ towards.T
+    wanted = albedo * ((1 / 4 + cosine / 2 + 5 / 32 * (3 * cosine**2 - 1)) @ strength)
+    np.testing.assert_allclose(reconstruction.shade(albedo, normals, light), wanted, atol=1e-9)
+
+
+def test_no_other_scale_comes_nearer():
+    """The mean of quotients, or the quotient of means."""
+    found, truth = np.random.default_rng(0).uniform(0.1, 1, (2, 9, 2))
+    expected = [np.linalg.lstsq(found[:, k:k + 1], truth[:, k], rcond=None)[0][0] for k in (0, 1)]
+    np.testing.assert_allclose(reconstruction.best_scale(found, truth), expected)

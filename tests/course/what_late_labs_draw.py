@@ -1,0 +1,32 @@
+"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+import numpy as np
+
+from course.scenes import drawing, fit_volume, hole, reconstruct, representations, viewing
+
+
+def lab_15(labs):
+    """The wheel in three ways, a volume that is fitted, and a hole that opens."""
+    lab15 = labs.shape_rendering
+    view = labs.pipeline.View(representations.wheel_camera(labs), 16, 16, drawing.WHITE)
+    scene = representations.WHEEL, view, lab15.Lighting(drawing.LIGHT, drawing.BRASS)
+    picture, evaluations = lab15.render_distance(*scene)
+    yield "the wheel as a distance", picture
+    yield "its evaluations", evaluations
+    yield "the wheel as fog", lab15.render_volume(*scene, 1.7, 3.9, 0.1, count=24)
+    yield "the wheel as a mesh", lab15.render_mesh(*scene, n=10)
+    *_, (vertices, _, distance) = hole.pushed(labs, 6, 3)
+    yield "the vertices around a hole", vertices
+    yield "the distances of a hole", distance
+    rays = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3), 8)
+    *_, (volume, loss) = fit_volume.fit(labs, rays, 6, 3, batch=60)
+    yield "the fit of a volume", np.append(volume.density, loss)
+
+
+def lab_16(labs):
+    """A search for a ring that has just begun."""
+    lab16 = labs.multi_view_fit
+    stages, weights = [lab16.Stage(6, 1, 1, 2, 1.0)], lab16.WEIGHTS._replace(coverage=0.5)
+    fit = reconstruct.fit(labs, "ring", stages, size=12, count=4, weights=weights)
+    (_, first), (x, last) = fit
+    yield "two losses", np.array([first, last])
+    yield from x._asdict().items()
