@@ -7,7 +7,7 @@
     item[start[k] : start[k + 1]]                     the items of bin k, one after another  (5)
     sum_v = values of bin v, added in their order     a thread a vertex gathers              (6)
     M_f = [p_0 p_1 p_2; 1 1 1]                        pass 1, a thread a face: M_f^-1        (7)
-    c = M_f^-1 (x, y, 1),  depth = 1 / sum c_k / z_k  pass 2, a thread a pixel: all faces    (8)
+    c = M_f^-1 (x, y, 1),  depth = 1 / sum c_k / z_k  pass 2, a thread a pixel: a bin        (8)
     picture = depth sum c_k A_k / z_k                 pass 3, a thread a pixel               (9)
 
 A thread is one call of the body. Nobody says which comes first. @kernel compiles these loops where
@@ -24,7 +24,7 @@ from course.given.compiled import kernel
 
 
 @kernel
-def writers(boxes, width, height):  # exercise 17.1 (2 points)
+def writers(boxes, width, height):  # step 17.1
     """Eq. (2) for a thread a face: how many threads write to each pixel?
 
     boxes (F, 4) integers: left, bottom, right, top. A face writes to the columns left <= j < right
@@ -73,7 +73,7 @@ def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
     Each fragment does key[p] = min(key[p], its key), all in np.int64, of which the largest is
-    2^62 + face. The face is found in the key.
+    2^62 + face. The face is found in the key. It draws the fragments of the demo `tiles`.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -104,7 +104,7 @@ def mixed_in_passes(e, a):
 
 
 @kernel
-def mixed_at_once(e, a):  # exercise 17.3 (2 points)
+def mixed_at_once(e, a):  # extra 17.3 (2 points)
     """Eq. (4): `mixed_in_passes` as one loop over n, which makes no array but the result.
 
     e, a (3, N) -> sum e_k a_k / sum e_k (N,).
@@ -125,7 +125,8 @@ def bins(bin_of, count):  # exercise 17.4 (3 points)
     """Eq. (5): which items are in each of count bins?
 
     bin_of (N,): the bin of each item n -> start (count + 1,), item (N,). A bin's items stand in the
-    order of their numbers. Three loops do it: count, add the counts up, fill.
+    order of their numbers. Three loops do it: count, add the counts up, fill. The demo `tiles` bins
+    faces and pixels.
 
     >>> bins(np.array([2, 0, 2, 2, 0]), 4)
     (array([0, 2, 2, 5, 5]), array([1, 4, 0, 2, 3]))
@@ -144,33 +145,37 @@ def bins(bin_of, count):  # exercise 17.4 (3 points)
 
 
 @kernel
-def tiles_of(boxes, size, across):
-    """The pairs of a face and a tile that its box meets: face, tile (P,), in the faces' order.
+def tile_lists(boxes, size, across, down):  # exercise 17.5 (4 points)
+    """Eq. (5) for tiles: which faces does each have to look at? -> start (across down + 1,), item.
 
-    boxes (F, 4) as in `writers`. Tiles are size pixels wide and high, across of them in a row.
+    boxes (F, 4) as in `writers`, with a pixel at least. Tiles are size pixels wide and high, across
+    of them in a row, down rows of them: tile i across + j. Its list are the faces whose box shares
+    a pixel with it, in their order. `writers`, asked of tiles, says how many pairs of a face and a
+    tile there are, and `bins` sorts them. The bunny of the demo `tiles` is drawn by these lists.
 
-    >>> tiles_of(np.array([[0, 0, 2, 2], [3, 1, 5, 2]]), 4, 2)
-    (array([0, 1, 1]), array([0, 0, 1]))
+    >>> tile_lists(np.array([[0, 0, 2, 2], [3, 1, 5, 2]]), 4, 2, 1)
+    (array([0, 2, 3]), array([0, 1, 1]))
     """
-    total = 0
-    for left, bottom, right, top in boxes:
-        total += ((right - 1) // size - left // size + 1) * ((top - 1) // size - bottom // size + 1)
+    tiles = np.concatenate((boxes[:, :2] // size, (boxes[:, 2:] - 1) // size + 1), 1)
+    total = writers(tiles, across, down).sum()
     face, tile = np.empty(total, np.intp), np.empty(total, np.intp)
     pair = 0
-    for f in range(len(boxes)):
-        left, bottom, right, top = boxes[f]
-        for i in range(bottom // size, (top - 1) // size + 1):
-            for j in range(left // size, (right - 1) // size + 1):
+    for f in range(len(tiles)):
+        left, bottom, right, top = tiles[f]
+        for i in range(bottom, top):
+            for j in range(left, right):
                 face[pair], tile[pair] = f, i * across + j
                 pair += 1
-    return face, tile
+    start, order = bins(tile, across * down)
+    return start, face[order]
 
 
 @kernel
-def gathered(start, item, values):  # exercise 17.5 (2 points)
+def gathered(start, item, values):  # exercise 17.6 (2 points)
     """Eq. (6): for each bin, the sum of its items' values, added in their order.
 
-    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C).
+    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). A thread a bin. It paints the
+    demo `tiles`.
 
     >>> start, item = np.array([0, 2, 2, 3]), np.array([0, 2, 1])
     >>> gathered(start, item, np.array([[1.0, 5.0], [10.0, 6.0], [100.0, 7.0]]))
@@ -208,19 +213,23 @@ def invert_face(face, triangles, inverse):
 
 
 @kernel
-def three_passes(triangles, z, colours, width, height):  # exercise 17.6 (5 points)
-    """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels.
+def three_passes(triangles, z, colours, lists, size, width, height):  # exercise 17.7 (6 points)
+    """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels, tile by tile.
 
-    triangles (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C) -> picture
-    (height, width, C), 0 where no face is seen. Pass 1 is the given `invert_face` for each face:
-    nan marks one without area, which covers nothing. Passes 2 and 3 are fused in one loop over
-    pixels, sampled at (j + 0.5, i + 0.5). Of equally deep faces, the first is seen.
+    triangles (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C), lists: start
+    and item of `tile_lists`, tiles of size pixels -> picture (height, width, C), 0 where no face is
+    seen. Pass 1 is the given `invert_face` for each face: nan marks one without area, which covers
+    nothing. Passes 2 and 3 are one loop over pixels, sampled at (j + 0.5, i + 0.5). A pixel looks
+    at its tile's faces alone. Of equally deep ones, the first is seen. See the demo `tiles`.
 
     >>> triangles, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
-    >>> three_passes(triangles, z, np.array([[[8.0], [4.0], [4.0]]]), 4, 2).round(3)[..., 0]
-    array([[6.857, 5.714, 4.571, 0.   ],
+    >>> colours, lists = np.array([[[8.0], [4.0], [4.0]]]), (np.array([0, 1, 1]), np.array([0]))
+    >>> three_passes(triangles, z, colours, lists, 2, 4, 2).round(3)[..., 0]
+    array([[6.857, 5.714, 0.   , 0.   ],
            [4.8  , 0.   , 0.   , 0.   ]])
     """
+    start, item = lists
+    across = (width + size - 1) // size
     inverse = np.empty((len(triangles), 3, 3))
     for face in range(len(triangles)):
         invert_face(face, triangles, inverse)
@@ -229,10 +238,11 @@ def three_passes(triangles, z, colours, width, height):  # exercise 17.6 (5 poin
         i, j = pixel // width, pixel % width
         x = j + 0.5
         y = i + 0.5
+        tile = i // size * across + j // size
         seen = -1
         nearest = np.inf
         q0, q1, q2 = 0.0, 0.0, 0.0
-        for face in range(len(triangles)):
+        for face in item[start[tile]:start[tile + 1]]:
             c = inverse[face, :, 0] * x + inverse[face, :, 1] * y + inverse[face, :, 2]
             if c[0] >= 0 and c[1] >= 0 and c[2] >= 0:
                 p0, p1, p2 = c[0] / z[face, 0], c[1] / z[face, 1], c[2] / z[face, 2]

@@ -155,10 +155,9 @@ def walk(points, faces, opposite, silhouettes, face, goal, frame):
 
 
 @kernel
-def frame_of(axis, place, is_first):
-    """The Frame of a pair whose first pixel has this place (row, column), from its first on or not.
-    """
-    row, column = place
+def frame_of(place, is_first):
+    """The Frame of a pair at this place (axis, row, column), from its first pixel on or not."""
+    axis, row, column = place
     if is_first:
         return Frame(column + 0.5, row + 0.5, 1.0 - axis, 1.0 * axis)
     return Frame(column + 1.5 - axis, row + 0.5 + axis, axis - 1.0, -1.0 * axis)
@@ -174,23 +173,34 @@ def pairs_along(axis, screen, surface, rows, pairs, n):
         for column in range(columns):
             first = np.uintp(row * width + column)
             second = first + np.uintp(step)
-            if face_index[first] == face_index[second]:
-                continue
-            is_first = depth[first] < depth[second]
-            near = np.intp(face_index[first if is_first else second])
-            far = np.intp(face_index[second if is_first else first])
-            for _ in range(2):
-                at, is_found = walk(points, faces, opposite, silhouettes, near, far,
-                                    frame_of(axis, (row, column), is_first))
-                if is_found or at.c < 1 or far < 0:
-                    break
-                near, far, is_first = far, near, not is_first
-            is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
-            if is_found and is_steep and not (at.c == 0.5 and is_first):
-                owner, other = (first, second) if is_first else (second, first)
-                put(pairs, n, owner, other, at)
-                n += 1
+            if face_index[first] != face_index[second]:
+                is_first = depth[first] < depth[second]
+                seen = face_index[first], face_index[second]
+                at, is_first, is_blended = between(points, faces, opposite, silhouettes, seen,
+                                                   (axis, row, column), is_first)
+                if is_blended:
+                    owner, other = (first, second) if is_first else (second, first)
+                    put(pairs, n, owner, other, at)
+                    n += 1
     return n
+
+
+@kernel
+def between(points, faces, opposite, silhouettes, seen, place, is_first):
+    """The Crossing between two pixels that see different faces, whether the first of them is the
+    owner, and whether the two are blended. place: axis, and row and column of the first.
+    """
+    near, far = np.intp(seen[0]), np.intp(seen[1])
+    if not is_first:
+        near, far = far, near
+    for _ in range(2):
+        at, is_outline = walk(points, faces, opposite, silhouettes, near, far,
+                              frame_of(place, is_first))
+        if is_outline or at.c < 1 or far < 0:
+            break
+        near, far, is_first = far, near, not is_first
+    is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
+    return at, is_first, is_outline and is_steep and not (at.c == 0.5 and is_first)
 
 
 @kernel

@@ -27,5 +27,6 @@
     fit_volume         density and colour in a grid
     reconstruct        shape, albedo and light of objects never seen
     paint_and_light    albedo and light told apart, on pictures of a path tracer
+    tiles              the bunny by kernels: fragments, tiles, sums at vertices
     demo               which scenes there are, and what runs them
 """

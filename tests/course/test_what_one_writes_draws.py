@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
-from what_late_labs_draw import lab_15, lab_16
+from what_late_labs_draw import lab_15, lab_16, lab_17
 
 from course.given import faster
 from course.given.whose import Labs
@@ -20,8 +20,8 @@ DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradi
                    "inverse_rendering", "pipeline"),
            surfaces: ("regularization", "remeshing"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),
-           lab_16: ("reconstruction", "multi_view_fit")}
-ENOUGH = 3  # mistakes of each exercise, at least, must show
+           lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}
+ENOUGH = 3  # mistakes of each exercise, at least, must show, or all but one of them
 CORE = [(drawn, topic, one.name) for drawn, topics in DRAWING.items() for topic in topics
         for one in exercises.topic_exercises(topic) if not one.is_extra and one.points]
 
@@ -79,7 +79,7 @@ def test_a_mistake_shows(drawn, topic, name, labs, right, capsys):
                 function.__code__ = code
                 faster.agrees.cache_clear()
     print(*(f"{where}: {sentence}" for sentence, where in found), sep="\n")
-    assert sum(where is not None for _, where in found) >= ENOUGH
+    assert sum(where is not None for _, where in found) >= min(ENOUGH, len(found) - 1) > 0
 
 
 def test_without_a_mistake_nothing_shows(labs, right):

@@ -1,7 +1,17 @@
 """Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
 import numpy as np
 
-from course.scenes import drawing, fit_volume, hole, reconstruct, representations, viewing
+from course.given import mesh
+from course.scenes import (
+    drawing,
+    fit_volume,
+    hole,
+    portrait,
+    reconstruct,
+    representations,
+    tiles,
+    viewing,
+)
 
 
 def lab_15(labs):
@@ -30,3 +40,15 @@ def lab_16(labs):
     (_, first), (x, last) = fit
     yield "two losses", np.array([first, last])
     yield from x._asdict().items()
+
+
+def lab_17(labs):
+    """The bunny, coarse, by fragments and by tiles, and its colours from behind."""
+    vertices, faces = drawing.unit_bunny()
+    vertices, faces = mesh.merge(np.round(6 * vertices) / 6, faces)
+    faces = faces[(faces != faces[:, [1, 2, 0]]).all(1)]
+    clip = viewing.clip_positions(labs, vertices, portrait.BUNNY_EYE)
+    yield "the bunny by fragments", tiles.by_fragments(labs, clip, faces, 32)
+    picture = tiles.by_tiles(labs, clip, faces, 1 + vertices, 32)
+    yield "the bunny by tiles", picture
+    yield "its colours at the vertices", tiles.vertex_colours(labs, picture, clip, faces)

@@ -120,7 +120,49 @@ def test_no_items_fill_no_bins(impl):
     assert_equal((start, item.shape), (np.zeros(4), (0,)))
 
 
+def boxes_of(rng, count=30, width=22, height=15):
+    """Boxes with a pixel each, in a picture of this size."""
+    low = rng.integers(0, [width, height], (count, 2))
+    return np.hstack([low, rng.integers(low + 1, [width + 1, height + 1])])
+
+
 @exercise("17.5")
+def test_a_box_in_one_tile_is_in_its_list(impl, rng):
+    """Rows and columns of tiles are exchanged. Coordinates are not divided by the size of a tile."""
+    row, column = rng.permutation(3)[:2].tolist()
+    low = 8 * np.array([column, row]) + rng.integers(0, 4, 2)
+    start, item = is_a_pair(impl.tile_lists(np.array([[*low, *low + 4]]), 8, 4, 3))
+    assert_equal(start, (np.arange(13) > 4 * row + column).astype(int))
+    assert_equal(item, np.array([0]))
+
+
+@exercise("17.5")
+def test_tiles_on_paper(impl):
+    """A box that ends at a tile's first column, or row, is in that tile, too. Only the tiles at its
+    corners have it, or the one where it begins. The lists hold numbers of pairs, and not of faces.
+    """
+    boxes = np.array([[1, 1, 3, 2], [0, 0, 4, 4], [3, 3, 5, 5], [8, 1, 12, 7], [5, 0, 12, 8]])
+    start, item = is_a_pair(impl.tile_lists(boxes, 4, 3, 2))
+    assert_equal(start, np.array([0, 3, 5, 7, 8, 10, 12]))
+    assert_equal(item, np.array([0, 1, 2, 2, 4, 3, 4, 2, 2, 4, 3, 4]))
+
+
+@exercise("17.5")
+def test_each_tile_has_the_faces_that_share_a_pixel_with_it(impl, rng):
+    """A face is in a list twice, or missing there; or the faces of a tile are not in their order."""
+    boxes, size, across, down = boxes_of(rng), 5, 5, 3
+    start, item = is_a_pair(impl.tile_lists(boxes, size, across, down))
+    assert_equal(np.shape(start), (across * down + 1,))
+    for tile in range(across * down):
+        row, column = divmod(tile, across)
+        left, bottom = size * column, size * row
+        meets = ((boxes[:, 0] < left + size) & (boxes[:, 2] > left)
+                 & (boxes[:, 1] < bottom + size) & (boxes[:, 3] > bottom))
+        assert_equal(item[start[tile]:start[tile + 1]], np.flatnonzero(meets),
+                     given=f"the list of tile {tile}")
+
+
+@exercise("17.6")
 def test_sums_on_paper(impl):
     """The place in the list is taken for the item's number. Only the last item counts."""
     start, item = np.array([0, 0, 2, 3]), np.array([2, 0, 1])
@@ -128,7 +170,7 @@ def test_sums_on_paper(impl):
     assert_equal(impl.gathered(start, item, values), np.array([[0, 0], [101.0, 502], [10, 30]]))
 
 
-@exercise("17.5")
+@exercise("17.6")
 def test_items_are_added_in_their_order(impl):
     """Another order of the same numbers has another sum: 1e16 swallows a 1."""
     values = np.array([[1e16], [1.0], [-1e16], [1.0]])
@@ -137,7 +179,7 @@ def test_items_are_added_in_their_order(impl):
         assert_equal(found, np.array([[total]]))
 
 
-@exercise("17.5")
+@exercise("17.6")
 def test_a_gather_is_the_scatter(impl, rng):
     """An item is left out, counted twice, or added to another bin."""
     bin_of, values = rng.integers(0, 9, 40), rng.normal(size=(40, 3))
@@ -150,15 +192,21 @@ def test_a_gather_is_the_scatter(impl, rng):
 RIGHT = np.array([[[0.0, 0.0], [6.0, 0.0], [0.0, 4.0]]])  # c = (1 - x / 6 - y / 4, x / 6, y / 4)
 
 
-@exercise("17.6")
+def in_one_tile(impl, triangles, z, colours, width, height):
+    """By a single list of all faces, in a tile as large as the picture."""
+    lists = np.array([0, len(triangles)]), np.arange(len(triangles))
+    return impl.three_passes(triangles, z, colours, lists, max(width, height), width, height)
+
+
+@exercise("17.7")
 def test_one_face_on_paper(impl):
     """Pixels are sampled at their corners, or x and y are exchanged. Colours are mixed on the
     screen: c_k A_k is not divided by z_k, or the sum is not multiplied by the depth.
     """
     colours = np.array([[[8.0], [4.0], [2.0]]])
-    flat = impl.three_passes(RIGHT, np.ones((1, 3)), colours, 3, 2)[..., 0]
+    flat = in_one_tile(impl, RIGHT, np.ones((1, 3)), colours, 3, 2)[..., 0]
     assert_close(flat, np.array([[83, 75, 67], [65, 57, 49]]) / 12)
-    slanted = impl.three_passes(RIGHT, np.array([[1.0, 2.0, 4.0]]), colours, 3, 2)[..., 0]
+    slanted = in_one_tile(impl, RIGHT, np.array([[1.0, 2.0, 4.0]]), colours, 3, 2)[..., 0]
     by_hand = (np.array([[76, 60, 44], [52, 36, 20]]) * 8 + np.array([[8, 24, 40], [8, 24, 40]]) * 2
                + np.array([[12, 12, 12], [36, 36, 36]]) * 0.5)
     by_hand /= (np.array([[76, 60, 44], [52, 36, 20]]) + np.array([[8, 24, 40], [8, 24, 40]]) / 2
@@ -166,16 +214,16 @@ def test_one_face_on_paper(impl):
     assert_close(slanted, by_hand)
 
 
-@exercise("17.6")
+@exercise("17.7")
 def test_a_sample_on_an_edge_is_covered(impl):
     """c_k > 0 is asked for, so that pixels on an edge or a corner see nothing."""
     screen = np.array([[[0.5, 0.5], [2.5, 0.5], [0.5, 4.5]]])  # no rounding: its area is 4
-    picture = impl.three_passes(screen, np.ones((1, 3)), np.full((1, 3, 1), 2.0), 3, 5)
+    picture = in_one_tile(impl, screen, np.ones((1, 3)), np.full((1, 3, 1), 2.0), 3, 5)
     assert_close(picture[..., 0], np.array([[2.0, 2.0, 2.0], [2.0, 2.0, 0.0], [2.0, 2.0, 0.0],
                                             [2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]))
 
 
-@exercise("17.6")
+@exercise("17.7")
 def test_the_nearest_face_is_seen(impl):
     """The last face is seen, or the farthest. Of two equally deep ones it is not the first. The
     depth is that of the corners, not of the pixel.
@@ -183,26 +231,26 @@ def test_the_nearest_face_is_seen(impl):
     screen = np.concatenate([RIGHT] * 4)
     z = np.array([[3.0, 3, 3], [1.0, 9, 9], [2.0, 2, 2], [2.0, 2, 2]])
     colours = np.array([1.0, 2, 3, 4])[:, None, None] * np.ones((1, 3, 2))
-    picture = impl.three_passes(screen, z, colours, 5, 4)
+    picture = in_one_tile(impl, screen, z, colours, 5, 4)
     c1, c2 = (np.arange(5) + 0.5) / 6, (np.arange(4)[:, None] + 0.5) / 4
     c0 = 1 - c1 - c2
     second = np.where(c0 + (c1 + c2) / 9 > 0.5, 2.0, 3.0)
     assert_close(picture, np.where(c0 >= 0, second, 0.0)[..., None] * np.ones(2))
 
 
-@exercise("17.6")
+@exercise("17.7")
 def test_both_windings_and_faces_without_area(impl, rng):
     """A clockwise face is left out. A face without area is seen, or stops the others."""
     turned = RIGHT[:, ::-1]
     line = np.array([[[0.0, 0.0], [3.0, 3.0], [6.0, 6.0]]])
     z, colours = np.full((2, 3), 2.0), rng.uniform(1, 2, (2, 3, 1))
-    found = impl.three_passes(np.concatenate([line, turned]), z, colours, 6, 5)
-    expected = impl.three_passes(RIGHT, z[:1], colours[1:, ::-1], 6, 5)
+    found = in_one_tile(impl, np.concatenate([line, turned]), z, colours, 6, 5)
+    expected = in_one_tile(impl, RIGHT, z[:1], colours[1:, ::-1], 6, 5)
     assert_close(found, expected)
     assert_equal((found > 0).sum(), 12)
 
 
-@exercise("17.6")
+@exercise("17.7")
 def test_a_mesh_is_what_planes_and_a_minimum_say(impl, rng):
     """A face takes the weights of another, or a pixel those of its neighbour."""
     screen, z = rng.uniform(-2, 12, (9, 3, 2)), rng.uniform(1, 3, (9, 3))
@@ -216,4 +264,33 @@ def test_a_mesh_is_what_planes_and_a_minimum_say(impl, rng):
     q = np.take_along_axis(parts, face[None, None], 0)[0]
     mixed = np.einsum("khw,hwkc->hwc", q / q.sum(0), colours[face])
     seen = np.isfinite(depth.min(0))
-    assert_close(impl.three_passes(screen, z, colours, 10, 9), np.where(seen[..., None], mixed, 0))
+    assert_close(in_one_tile(impl, screen, z, colours, 10, 9), np.where(seen[..., None], mixed, 0))
+
+
+@exercise("17.7")
+def test_a_pixel_looks_at_the_list_of_its_tile_alone(impl, rng):
+    """All faces are asked, or those of one tile. Rows and columns of tiles are exchanged, or the
+    last tile of a row, which the picture cuts, is not counted.
+    """
+    shown = rng.permutation(6)  # of 3 x 2 tiles: each has a face of its own, before all of it
+    screen = np.tile([[-9.0, -9.0], [40.0, -9.0], [-9.0, 40.0]], (6, 1, 1))
+    colours = np.tile(np.arange(1.0, 7)[:, None, None], (1, 3, 1))
+    picture = impl.three_passes(screen, np.ones((6, 3)), colours, (np.arange(7), shown), 4, 10, 7)
+    i, j = np.mgrid[:7, :10] // 4
+    assert_close(picture[..., 0], 1.0 + shown[3 * i + j])
+
+
+@exercise("17.7")
+def test_tiles_of_any_size_draw_the_same(impl, rng):
+    """The picture has seams between tiles; or a face's place in the list is taken for its number.
+    """
+    low = rng.uniform(0, 12, (9, 1, 2))
+    screen, z = low + rng.uniform(-5, 5, (9, 3, 2)), rng.uniform(1, 3, (9, 3))
+    colours = rng.uniform(1, 2, (9, 3, 2))
+    whole = in_one_tile(impl, screen, z, colours, 13, 11)
+    for size in 3, 5:
+        across, down = -(-13 // size), -(-11 // size)
+        tile = size * np.array(list(np.ndindex(down, across)))[:, ::-1]
+        meets = ((screen.min(1) < tile[:, None] + size) & (screen.max(1) > tile[:, None])).all(-1)
+        lists = np.append(0, np.cumsum(meets.sum(1))), np.nonzero(meets)[1]
+        assert_close(impl.three_passes(screen, z, colours, lists, size, 13, 11), whole)

@@ -4,14 +4,6 @@ import numpy as np
 from reference.kernels import invert_face
 
 
-def writers(boxes, width, height):
-    rows, columns = np.arange(height)[:, None], np.arange(width)
-    count = np.zeros((height, width), int)
-    for left, bottom, right, top in boxes:
-        count += (left <= columns) & (columns < right) & (bottom <= rows) & (rows < top)
-    return count
-
-
 def nearest_faces(pixel, depth, face, count):
     coarse = np.floor((depth + 1) * 2**29)
     order = np.lexsort([face, coarse])[::-1]  # the nearest is written last
@@ -20,13 +12,16 @@ def nearest_faces(pixel, depth, face, count):
     return found
 
 
-def mixed_at_once(e, a):
-    return np.array([x @ y / x.sum() for x, y in zip(e.T, a.T, strict=True)])
-
-
 def bins(bin_of, count):
     start = np.append(0, np.cumsum(np.bincount(bin_of, minlength=count)))
     return start, np.argsort(bin_of, kind="stable")
+
+
+def tile_lists(boxes, size, across, down):
+    rows, columns = np.divmod(np.arange(across * down), across)
+    low = size * np.stack([columns, rows], -1)[:, None]
+    meets = ((boxes[:, :2] < low + size) & (boxes[:, 2:] > low)).all(-1)
+    return np.append(0, np.cumsum(meets.sum(1))), np.nonzero(meets)[1]
 
 
 def gathered(start, item, values):
@@ -40,18 +35,21 @@ def gathered(start, item, values):
     return total
 
 
-def three_passes(triangles, z, colours, width, height):
+def three_passes(triangles, z, colours, lists, size, width, height):
     inverse = np.empty((len(triangles), 3, 3))
     for face in range(len(triangles)):
         invert_face(face, triangles, inverse)
     y, x = np.mgrid[:height, :width] + 0.5
+    tile = (y // size * -(-width // size) + x // size).astype(int)
     picture, nearest = np.zeros((height, width, colours.shape[2])), np.full((height, width), np.inf)
-    for m, far, colour in zip(inverse, z, colours, strict=True):
+    for face in range(len(triangles)):
+        asked = np.array([face in faces for faces in np.split(lists[1], lists[0][1:-1])])
+        m, far = inverse[face], z[face]
         c = m[:, :1, None] * x + m[:, 1:2, None] * y + m[:, 2:, None]
         parts = c / far[:, None, None]
         with np.errstate(divide="ignore", invalid="ignore"):
             depth = 1 / parts.sum(0)
-            closer = (c >= 0).all(0) & (depth < nearest)
+            closer = asked[tile] & (c >= 0).all(0) & (depth < nearest)
         nearest[closer] = depth[closer]
-        picture[closer] = depth[closer, None] * (parts[:, closer].T @ colour)
+        picture[closer] = depth[closer, None] * (parts[:, closer].T @ colours[face])
     return picture
