@@ -232,7 +232,7 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 p
                          epsilon=0.0):
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
-    pairs: of `blended_pairs`. clip (V, 4). Go back through (5) and (4) to c, which has a gradient
+    pairs: of `steep_pairs`. clip (V, 4). Go back through (5) and (4) to c, which has a gradient
     where 0 < c < 1. Then go through (3) to its edge's ends, pairs.x and pairs.y (2, N), and through
     (2) to the screen. The given `ends_backward` takes them, and grad_x and grad_y (2, N) there, to
     the vertices. You see it at work in `python3 -m course demo --impl labs fit_triangle`.

@@ -105,7 +105,7 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
 
 
 def is_outline(pairs, silhouette):
-    """Did the walk of each pair stop at a silhouette before the other's centre, or at it? bool (N,)"""
+    """Did each pair's walk stop at a silhouette before the other's centre, or at it? bool (N,)"""
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 

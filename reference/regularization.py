@@ -77,7 +77,7 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
 
 
 def cross_lengths(triangles):
-    """|p x q| of triangles (..., 3, 3), twice the area: (..., 1), inf where that is next to nothing.
+    """|p x q| of triangles (..., 3, 3), twice the area: (..., 1), inf where it is next to nothing.
 
     It is that if it is at most NO_AREA times the longest side squared.
     """

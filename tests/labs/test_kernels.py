@@ -128,7 +128,7 @@ def boxes_of(rng, count=30, width=22, height=15):
 
 @exercise("17.5")
 def test_a_box_in_one_tile_is_in_its_list(impl, rng):
-    """Rows and columns of tiles are exchanged. Coordinates are not divided by the size of a tile."""
+    """Rows and columns of tiles are exchanged. Coordinates are not divided by a tile's size."""
     row, column = rng.permutation(3)[:2].tolist()
     low = 8 * np.array([column, row]) + rng.integers(0, 4, 2)
     start, item = is_a_pair(impl.tile_lists(np.array([[*low, *low + 4]]), 8, 4, 3))
@@ -149,7 +149,7 @@ def test_tiles_on_paper(impl):
 
 @exercise("17.5")
 def test_each_tile_has_the_faces_that_share_a_pixel_with_it(impl, rng):
-    """A face is in a list twice, or missing there; or the faces of a tile are not in their order."""
+    """A face is in a list twice, or missing there; or a tile's faces are not in their order."""
     boxes, size, across, down = boxes_of(rng), 5, 5, 3
     start, item = is_a_pair(impl.tile_lists(boxes, size, across, down))
     assert_equal(np.shape(start), (across * down + 1,))

@@ -17,8 +17,8 @@ AROUND = np.array([6, 6, 6, 6]), np.array([2, 5, 7, 10])
 def entering(impl, corner):
     """`enter_faces` for the pairs AROUND, of two faces that both have CORNERS."""
     x, y = np.tile(CORNERS, (2, 1)).T
-    return as_pairs(impl, impl.enter_faces(*AROUND, np.array(corner), (x, y, np.linspace(0.5, 2, 6)),
-                                           np.arange(6).reshape(2, 3), 4))
+    screen, faces = (x, y, np.linspace(0.5, 2, 6)), np.arange(6).reshape(2, 3)
+    return as_pairs(impl, impl.enter_faces(*AROUND, np.array(corner), screen, faces, 4))
 
 
 @exercise("8.15")
@@ -254,7 +254,8 @@ def test_a_walk_that_no_edge_begins_is_over(impl):
     """A division by 0, an error, or a pair that is left out."""
     (x, y, w), faces = RIBBON
     opposite = opposite_of(faces)
-    pairs = walked(impl, *np.array([[0], [1], [0]]), (x, y + 9, w), faces, opposite, opposite < 0, 2)
+    one = np.array([[0], [1], [0]])
+    pairs = walked(impl, *one, (x, y + 9, w), faces, opposite, opposite < 0, 2)
     assert_equal(pairs.c, [-np.inf])
 
 
@@ -380,7 +381,8 @@ def pulled(impl, grad_picture, colour, ends, x, y, owner=0, other=1):
                        np.array(x), np.array(y), np.array([0]), np.array([2]))
     height, width, _ = colour.shape
     clip = np.zeros((3, 4)) + [0, 0, 0, 1]
-    return impl.outline_pull_backward(grad_picture, colour, pairs, clip)[:, :2] * 2 / [width, height]
+    grad_clip = impl.outline_pull_backward(grad_picture, colour, pairs, clip)
+    return grad_clip[:, :2] * 2 / [width, height]
 
 
 TWO = np.array([[[10.0, 1.0], [100.0, 2.0]]]), np.array([[[1.0, 0.5], [0.0, 4.0]]])
@@ -401,7 +403,8 @@ def test_it_pulls_from_the_owner_to_the_other(impl):
     grad_picture, colour = np.zeros((2, 2, 1)), np.zeros((2, 2, 1))
     grad_picture[1, 0], colour[1, 0] = 2.0, 1.0
     for other, way in (3, [1, 0]), (0, [0, -1]):
-        got = pulled(impl, grad_picture, colour, [[0], [1]], [[0.0], [0.0]], [[-1.0], [1.0]], 2, other)
+        edge = [[0], [1]], [[0.0], [0.0]], [[-1.0], [1.0]]
+        got = pulled(impl, grad_picture, colour, *edge, 2, other)
         assert_close(got, np.outer([0.5, 0.5, 0], way))
 
 
@@ -413,7 +416,8 @@ def test_pulls_are_those_of_a_search(impl, rng):
     ends, clip = rng.permuted(np.tile(np.arange(9), (30, 1)), axis=1).T[:2], rng.normal(size=(9, 4))
     clip[:, 3] = rng.uniform(0.5, 2, 9)
     grad_picture, colour = rng.normal(size=(2, 9, 7, 3))
-    pairs = impl.Pairs(owner, other, x, ends, np.stack([x, x]), np.stack([-low, high]), owner, ends[0])
+    places = np.stack([x, x]), np.stack([-low, high])
+    pairs = impl.Pairs(owner, other, x, ends, *places, owner, ends[0])
     expected = np.zeros((9, 4))
     for n, (a, b) in enumerate(zip(owner, other, strict=True)):
         g, shade = (values.reshape(-1, 3)[[a, b]] for values in (grad_picture, colour))

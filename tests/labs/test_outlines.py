@@ -69,7 +69,7 @@ def test_of_equally_deep_pixels_the_second_is_the_owner(impl):
     assert_equal((owner[order], other[order]), ([1, 2, 3], [0, 0, 1]))
 
 
-# --- the edge by which a line leaves a face --------------------------------------------------------
+# --- the edge by which a line leaves a face ----------------------------------------------------
 
 CORNERS = np.array([[3.25, 0.5], [3.0, 2.75], [1.0, 1.25]])  # around (2.5, 1.5)
 

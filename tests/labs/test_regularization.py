@@ -4,7 +4,6 @@ import itertools
 import math
 
 import numpy as np
-import pytest
 from regularization_graphs import angle, dense, graph
 
 from course.given import mesh

@@ -46,7 +46,7 @@ def test_why_zero_tells_the_reasons_apart():
     # The strip to the right of the square is thinner than a pixel. Its right edge is the outline.
     strip = np.concatenate([square, on_screen([4.4, 4.4], [-9, 30], 8, 6)])
     faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]])
-    vertex, pixel = reasons(strip, faces)
+    vertex, _ = reasons(strip, faces)
     assert vertex[4:] == ["has a gradient"] * 2 and "has a gradient" not in vertex[:4]
     wide = on_screen([-9, 30, 30, -9], [-9, -9, 30, 30], 8, 6)
     assert reasons(wide, faces[:2])[1] == {"no pair", "the surface goes on"}
