@@ -21,7 +21,6 @@ def fit_pose(labs):
     still = symmetries()[:1]
     for name, title, seeds, settings in (
             ("search", "search by symmetries", range(10), {}),
-            ("failure", "the same from start 23", [23], {}),
             ("trapped", "search without them", range(10), {"allowed": still}),
             ("gradient", "no search", range(10), {"proposals": 0})):
         start = time.process_time()
