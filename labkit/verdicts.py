@@ -72,7 +72,7 @@ class Entry(NamedTuple):
         """A sentence on so many points: 2 of 3 points: 4 of 5 claims hold."""
         hold, of = self.claims
         told = f"{reached:g} of {plural(self.points, 'point')}: " if self.points else ""
-        known = ", none with drawn numbers" * (hold > 0 and self.only_known_numbers)
+        known = ", but none on random numbers" * (hold > 0 and self.only_known_numbers)
         return f"{told}{hold} of {of} claims hold{known}"
 
 

@@ -113,7 +113,8 @@ def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
     face_index (H, W), clip (V, 4), faces (F, 3) -> barycentric (H, W, 3), 0 where no face is seen.
     `samples_on_faces` is given. Loop over it: it yields pixel (N,), the numbers of pixels row by
     row, px, py (N,), their centres, and x, y, w (3, N), their faces' corners. `edge_functions_at`,
-    also given, makes e (3, N). To look at yours: `python3 -m course demo --impl labs bunny`.
+    also given, makes e (3, N). Fill an array (H * W, 3) at [pixel], and reshape it at the end. Step
+    5.5 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics(np.array([[0, -1]]), clip, np.array([[0, 1, 2]]))
@@ -196,7 +197,7 @@ def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 point
     face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
     seen. The w of the corners stay, and e changes by the normal of its edge: edge k runs from
     corner i to corner j, (i, j) = EDGES[k], and de_k/dx, de_k/dy = y_i - y_j, x_j - x_i. The edges
-    of `python3 -m course demo --impl labs bunny` are drawn by it, and all textures.
+    of `python3 -m course demo --impl labs bunny` are drawn by it, and lab 6's textures.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics_derivatives(np.array([[0]]), clip, np.array([[0, 1, 2]]))
@@ -252,7 +253,7 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
 
     grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
     grad_barycentric (H, W, 3), 0 where no face is seen. The given `scatter` sums what comes to a
-    vertex from all its pixels. Colours are found by it:
+    vertex from all its pixels. Lab 9 finds colours by it:
     `python3 -m course demo --impl labs fit_cube`.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])

@@ -265,6 +265,7 @@ def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
     b = impl.barycentrics(face_index, clip, faces)
     assert_equal(b.shape, (5, 7, 3))
     assert_equal(b[face_index < 0], np.zeros(((face_index < 0).sum(), 3)))
+    assert_equal(b[face_index >= 0].any(-1).all(), True, given="some weight where a face is seen")
 
 
 @exercise("5.7", fine_print=True)
@@ -520,7 +521,14 @@ def test_an_empty_pixel_pulls_at_nothing(impl):
 def test_every_channel_adds_to_the_weights(impl, rng, channels):
     """grad_barycentric is the mean of the channels, or of the first channel alone."""
     given = rng.normal(size=(7, 5, channels)), *buffers(rng, channels)
-    assert_close(impl.interpolate_backward(*given), unmixed(*given))
+    assert_close(impl.interpolate_backward(*given)[1], unmixed(*given)[1])
+
+
+@exercise("5.12")
+def test_every_pixel_adds_to_its_vertices(impl, rng):
+    """A vertex keeps the gradient of one pixel alone, or the weights are left out."""
+    given = rng.normal(size=(7, 5, 4)), *buffers(rng, 4)
+    assert_close(impl.interpolate_backward(*given)[0], unmixed(*given)[0])
 
 
 @exercise("5.12")
