@@ -191,7 +191,7 @@ def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
-    be in several pairs. Every picture of `python3 -m course demo --impl labs bunny` ends here.
+    be in several pairs. Every picture of `python3 -m course demo --impl labs borders` ends here.
 
     >>> pairs = Pairs(np.array([0, 2]), np.array([1, 1]), np.array([0.25, 1.0]), *5 * [None])
     >>> blend_pairs(np.array([[[0.0], [1.0], [5.0]]]), pairs)
@@ -235,7 +235,7 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 p
     pairs: of `steep_pairs`. clip (V, 4). Go back through (5) and (4) to c, which has a gradient
     where 0 < c < 1. Then go through (3) to its edge's ends, pairs.x and pairs.y (2, N), and through
     (2) to the screen. The given `ends_backward` takes them, and grad_x and grad_y (2, N) there, to
-    the vertices. You see it at work in `python3 -m course demo --impl labs fit_triangle`.
+    the vertices. Lab 9 moves outlines by it: `python3 -m course demo --impl labs fit_triangle`.
 
     >>> ends = np.array([[0], [1]]), np.array([[0.0], [0.5]]), np.array([[-1.0], [1.0]])
     >>> pairs = Pairs(np.array([0]), np.array([1]), np.array([0.25]), *ends, None, None)

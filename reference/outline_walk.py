@@ -41,17 +41,16 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
     line comes in by the edge across from this corner. Its ends lie on different sides of the line
     y = 0, so the corner lies on the side of one of them. The line leaves between the corner and
     the other one. Where it is wrong, fine meshes have stairs in
-    `python3 -m course demo --impl labs bunny`.
+    `python3 -m course demo --impl labs borders`.
 
     >>> screen = np.array([[0.0, 0.5, 2.0], [-1.5, 2.5, 2.5], [1.0, 1.0, 1.0]])
     >>> pairs = enter_faces(*np.array([[0], [1], [2]]), screen, np.array([[0, 1, 2]]), 3)
     >>> pairs.face, pairs.edge, pairs.c, pairs.ends.T
     (array([0]), array([1]), array([0.5]), array([[2, 0]]))
 
-    Fine print. y < 0 is below, and y >= 0 above, as in `last_crossing`, so that no rounding can
-    lead back. A corner behind the camera (w < 0) is mirrored: compare s y, s the sign of w. If the
-    crossing is not in front of the camera, s_i |y_j| + s_j |y_i| <= 0, the face passes the other's
-    centre: c = np.inf.
+    Fine print. y < 0 is below, and y >= 0 above, as in `last_crossing`. A corner behind the camera
+    (w < 0) is mirrored: compare s y, s the sign of w. If the crossing is not in front of it, where
+    s_i |y_j| + s_j |y_i| <= 0, the face passes the other's centre: c = np.inf.
     """
     face, entered = np.divmod(corner, 3)
     corners = faces[face].T
@@ -76,8 +75,8 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
     The first steps are done: pairs are those of `leave_faces`. Go on from face to face, by
     `enter_faces`, as long as c < 1, the edge is no silhouette, bool (F, 3), and the face across is
     not goal (N,), which the other pixel sees. Take a step for all pairs that still walk at once.
-    opposite (F, 3) is made by `opposite_corners`. `python3 -m course demo --impl labs bunny` draws
-    with it.
+    opposite (F, 3) is made by `opposite_corners`. `python3 -m course demo --impl labs borders`
+    draws with it.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
@@ -116,7 +115,7 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2
     passes the other's centre (c >= 1) without one, and the other pixel sees a face, that pixel's
     surface walks, and it is the owner. face_index, depth (H, W), clip
     (V, 4), faces, opposite (F, 3). `all_silhouettes` is given. Both kinds are seen in
-    `python3 -m course demo --impl labs bunny`.
+    `python3 -m course demo --impl labs borders`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])

@@ -21,16 +21,27 @@ def ties(labs):
 
 
 def borders(labs):
-    """The squares a little moved: blended at open borders, and not along diagonals (lab 8)."""
+    """Squares and a fine ball: blended at open borders and outlines, and not within (lab 8)."""
     corners, faces = squares()
-    clip = on_screen(corners + [0.3, 0.2, 0])
-    face_index, depth = labs.rasterization.rasterize(clip, faces, WIDTH, HEIGHT)
-    shades = np.array([1.0, 0.8, 0.4, 0.5, 0.7, 0.6, 0.0])[face_index][..., None]
-    picture = labs.outlines.antialias(shades, face_index, depth, clip, faces,
-                                      labs.antialiasing.opposite_corners(faces))[..., 0]
-    yield ("borders are blended, diagonals are not",
+    shades = np.array([1.0, 0.8, 0.4, 0.5, 0.7, 0.6, 0.0])
+    picture = blended(labs, on_screen(corners + [0.3, 0.2, 0]), faces, shades, (WIDTH, HEIGHT))
+    left = picture[5, 1:3]
+    yield (f"borders are blended, diagonals are not: {left[0]:.2f} and {left[1]:.2f} at the left",
            save("borders", "blended", enlarged(picture, 16)),
-           ("0.16 and 0.8 at the left", np.allclose(picture[5, 1:3], [0.16, 0.8])))
+           ("0.16 and 0.80", np.allclose(left, [0.16, 0.8])))
+    vertices, faces = mesh.icosphere(5000)
+    clip = np.column_stack([vertices, np.ones(len(vertices))]) @ camera(labs).T
+    picture = blended(labs, clip, faces, np.append(np.ones(len(faces)), 0), (40, 40))
+    yield ("a ball of 5,120 faces, smooth all around",
+           save("borders", "ball", enlarged(picture, 8)))
+
+
+def blended(labs, clip, faces, shades, size):
+    """A picture of a shade for each face, and one for none, antialiased."""
+    face_index, depth = labs.rasterization.rasterize(clip, faces, *size)
+    pairs = labs.outline_walk.walked_pairs(face_index, depth, clip, faces,
+                                           labs.antialiasing.opposite_corners(faces))
+    return labs.antialiasing.blend_pairs(shades[face_index][..., None], pairs)[..., 0]
 
 
 def cut(labs):

@@ -161,13 +161,13 @@ def walkers(rng, screen, faces, count, width=7):
     return np.array(found).T
 
 
-def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width, goal=None):
+def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width, goal=-1):
     """`walk` from the edges by which the lines leave the first faces, found in space, to a goal
     that is nowhere."""
     first = [begun(*one, screen, faces, width) for one in zip(owner, other, face, strict=True)]
     pairs = impl.Pairs(*(np.array(field).T for field in zip(*first, strict=True)))
-    goal = np.full(len(owner), -1) if goal is None else goal
-    return as_pairs(impl, impl.walk(pairs, goal, screen, faces, opposite, silhouette, width))
+    goals = goal + np.zeros(len(owner), int)
+    return as_pairs(impl, impl.walk(pairs, goals, screen, faces, opposite, silhouette, width))
 
 
 def begun(owner, other, face, screen, faces, width):
@@ -198,9 +198,8 @@ def test_a_walk_goes_on_to_a_silhouette(impl):
 @exercise("8.16")
 def test_a_walk_ends_at_the_other_s_centre(impl):
     """It goes on after c >= 1, to a silhouette far away, or over the border of the mesh."""
-    screen, faces = RIBBON
-    opposite = opposite_of(faces)
-    pairs = walked(impl, *np.array([[0], [1], [1]]), screen, faces, opposite, opposite < 0, 2)
+    opposite = opposite_of(RIBBON[1])
+    pairs = walked(impl, *np.array([[0], [1], [1]]), *RIBBON, opposite, opposite < 0, 2)
     assert_equal(pairs.face, [3])
     assert_close(pairs.c, [1.25])
 
@@ -212,8 +211,7 @@ def test_a_walk_ends_before_the_face_that_the_other_sees(impl):
     opposite = opposite_of(faces)
     scene = *np.array([[0], [1], [1]]), screen, faces, opposite, opposite < 0, 2
     for goal in 2, 3:
-        pairs = walked(impl, *scene, np.array([goal]))
-        assert_equal(pairs.face, [goal - 1])
+        assert_equal(walked(impl, *scene, goal).face, [goal - 1])
 
 
 @exercise("8.16")
@@ -271,9 +269,8 @@ def outlines_of(impl, *scene):
 def quartered(clip, faces):
     """Each face is cut into four, in space: nothing on the screen changes."""
     edges, edge = mesh.edges(faces)
-    middle = edge + len(clip)
     a, b, c = faces.T
-    m_a, m_b, m_c = middle.T
+    m_a, m_b, m_c = (edge + len(clip)).T
     cut = [(a, m_c, m_b), (b, m_a, m_c), (c, m_b, m_a), (m_a, m_b, m_c)]
     return (np.concatenate([clip, clip[edges].mean(1)]),
             np.concatenate([np.stack(face, 1) for face in cut]))
@@ -381,8 +378,8 @@ def pulled(impl, grad_picture, colour, ends, x, y, owner=0, other=1):
                        np.array(x), np.array(y), np.array([0]), np.array([2]))
     height, width, _ = colour.shape
     clip = np.zeros((3, 4)) + [0, 0, 0, 1]
-    grad_clip = impl.outline_pull_backward(grad_picture, colour, pairs, clip)
-    return grad_clip[:, :2] * 2 / [width, height]
+    pull = impl.outline_pull_backward(grad_picture, colour, pairs, clip)
+    return pull[:, :2] * 2 / [width, height]
 
 
 TWO = np.array([[[10.0, 1.0], [100.0, 2.0]]]), np.array([[[1.0, 0.5], [0.0, 4.0]]])
