@@ -47,8 +47,8 @@ def split_teapot():
 
 def split_in_four(vertices, faces):
     """Each face as four of its own shape: the surface stays, and so do its angles."""
-    edges, face_edges = mesh.edges(faces)
-    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
+    edges, number = mesh.edges(faces)
+    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + number).T
     faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
     return np.concatenate([vertices, vertices[edges].mean(1)]), faces
 
