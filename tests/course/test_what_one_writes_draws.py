@@ -9,7 +9,7 @@ import pytest
 from what_draws import shown, surfaces
 from what_late_labs_draw import lab_15, lab_16, lab_17
 
-from course.given import faster
+from course.given import compiled, faster
 from course.given.whose import Labs
 from labkit import exercises
 from labkit.upkeep import mistakes
@@ -31,7 +31,10 @@ def labs():
     """The reference once more, as a package in which mistakes can be made."""
     package = sys.modules["mistaken"] = types.ModuleType("mistaken")
     package.__path__ = importlib.import_module("reference").__path__
-    yield Labs("mistaken")
+    with pytest.MonkeyPatch.context() as patch:
+        # numba would keep machine code of this package beside the reference's files, and read it.
+        patch.setattr(compiled, "is_installed", lambda: False)
+        yield Labs("mistaken")
     for name in [name for name in sys.modules if name.partition(".")[0] == "mistaken"]:
         del sys.modules[name]
 
