@@ -22,16 +22,8 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step, silhouette_edges
-from .outlines import (
-    WINDOW,
-    leave_faces,
-    neighbours,
-    some,
-    steep_pairs,
-    vertices_across,
-    vertices_on_screen,
-)
+from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step
+from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, some, steep_pairs
 
 
 def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
@@ -39,8 +31,8 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
 
     As `leave_faces`, but for corner (N,), numbered 3 * face + corner as in `opposite_corners`. The
     line comes in by the edge across from this corner. Its ends lie on different sides of the line
-    y = 0, so the corner lies on the side of one of them. The line leaves between the corner and
-    the other one. Where it is wrong, fine meshes have stairs in
+    y = 0, and the corner on the side of one of them. The line leaves between the corner and the
+    other end. A wrong step leaves stairs on the ball of
     `python3 -m course demo --impl labs borders`.
 
     >>> screen = np.array([[0.0, 0.5, 2.0], [-1.5, 2.5, 2.5], [1.0, 1.0, 1.0]])
@@ -111,11 +103,11 @@ def is_outline(pairs, silhouette):
 def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2 points)
     """The pairs of neighbours with an outline between their centres -> Pairs
 
-    First the owner's surface walks. The given `is_outline` says where it found one. Where it
-    passes the other's centre (c >= 1) without one, and the other pixel sees a face, that pixel's
-    surface walks, and it is the owner. face_index, depth (H, W), clip
-    (V, 4), faces, opposite (F, 3). `all_silhouettes` is given. Both kinds are seen in
-    `python3 -m course demo --impl labs borders`.
+    First the owner's surface walks, and the given `is_outline` says where it found one. It may
+    pass the other's centre (c >= 1) without one. If that pixel sees a face, this face hides it, and
+    walks from there: owner and other change places. face_index, depth (H, W), clip (V, 4), faces,
+    opposite (F, 3). `all_silhouettes` is given. The outlines of
+    `python3 -m course demo --impl labs borders` are found by it.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])
@@ -139,12 +131,6 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2
     return some(pairs, is_outline(pairs, silhouette))
 
 
-def all_silhouettes(clip, faces, opposite, width, height):
-    """x, y, w (V,) on screen, and `silhouette_edges` of all faces, bool (F, 3)."""
-    screen = vertices_on_screen(clip, width, height)
-    return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
-
-
 def walked_pairs(face_index, depth, clip, faces, opposite):
     """The pairs that are blended: those with a steep outline -> Pairs"""
     with np.errstate(all="ignore"):  # of vertices that no seen face has
@@ -158,7 +144,7 @@ def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.18 (3 p
     The outline's point divides its edge as y0 and y1 say: it is (1 - t) end_0 + t end_1 with
     t = y0 / (y0 - y1), so it moves along the pair by (1 - t) v_0 + t v_1. `pair_step` and
     `ends_backward` are given. No check of one picture's gradient passes: the picture jumps. The
-    mean over 200 shifts of the camera does.
+    mean over many shifts of the camera is right.
 
     >>> ends = np.array([[0], [1]]), np.array([[0.0], [0.5]]), np.array([[-1.0], [1.0]])
     >>> pairs = Pairs(np.array([0]), np.array([1]), np.array([0.25]), *ends, None, None)

@@ -2,7 +2,7 @@
 
     pictures        ->  pairs of pixels in which an edge may run        (2)   neighbours
     pairs, a face   ->  the edge that the pair's line crosses last      (3)   leave_faces
-    screen points   ->  silhouette edges of the faces that are seen     (1)   seen_silhouettes
+    screen points   ->  silhouette edges of all faces                   (1)   all_silhouettes
     outlines        ->  the pairs that are blended                            steep_pairs
 
 The numbers are those of the equations in antialiasing.py. All of these decide, and decisions have
@@ -31,32 +31,19 @@ from .rasterization import screen_points
 WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
 
 
-def vertices_on_screen(clip, width, height):
-    """x, y, w (V,) of `screen_points`, without warnings: vertices that no seen face has may be
-    anything.
-    """
-    with np.errstate(all="ignore"):
-        return screen_points(clip, width, height)
-
-
 def vertices_across(faces, opposite):
     """The vertices of corners (..., 3) of `opposite_corners`, -1 for none."""
     vertices = faces.ravel().astype(np.intp)
     return np.where(opposite < 0, -1, vertices.take(opposite, mode="clip"))
 
 
-def seen_silhouettes(face_index, screen, faces, opposite):
-    """`silhouette_edges` of the faces that the picture shows: bool (F, 3), False for the others.
-
-    screen: x, y, w (V,) of the vertices.
+def all_silhouettes(clip, faces, opposite, width, height):
+    """x, y, w (V,) on screen, and `silhouette_edges` of all faces, bool (F, 3), without warnings:
+    vertices that no seen face has may be anything.
     """
-    is_seen = np.zeros(len(faces) + 1, bool)  # the last is found by face_index -1
-    is_seen[face_index.ravel()] = True
-    seen = np.flatnonzero(is_seen[:-1])
-    silhouette = np.zeros((len(faces), 3), bool, order="F")  # one edge after the other
-    across = vertices_across(faces, opposite.take(seen, 0))
-    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0), across)
-    return silhouette
+    with np.errstate(all="ignore"):
+        screen = screen_points(clip, width, height)
+        return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
 
 
 def neighbours(face_index, depth):  # exercise 8.10 (2 points)
@@ -145,8 +132,7 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     that edge is a silhouette. face_index, depth (H, W), clip (V, 4), faces, opposite (F, 3).
     """
     height, width = face_index.shape
-    screen = vertices_on_screen(clip, width, height)
-    silhouette = seen_silhouettes(face_index, screen, faces, opposite)
+    screen, silhouette = all_silhouettes(clip, faces, opposite, width, height)
     owner, other = neighbours(face_index, depth)
     face = face_index.ravel()[owner]
     kept = silhouette.any(1)[face]

@@ -52,7 +52,7 @@ def require_faces(faces, vertex_count):
 def require_opposite(faces, opposite):
     """The corners across the edges of faces (F, 3), such as a Mesh has them.
 
-    Each picture asks anew: for the bunny's 3,674 faces it takes a tenth of a millisecond.
+    Each picture asks anew: for the bunny's 3,674 faces it takes 0.15 ms.
     """
     made = ", made by antialiasing.opposite_corners(faces)"
     require_indices("opposite", opposite, *faces.shape, first=-1, count=faces.size,

@@ -6,6 +6,16 @@ from labkit.checks import Mismatch
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 FIELDS = "owner", "other", "c", "ends", "x", "y", "face", "edge"
 
+CORNERS = np.array([[3.25, 0.5], [3.0, 2.75], [1.0, 1.25]])  # around (2.5, 1.5)
+
+# The pairs of a pixel of 3 rows of 4 with those to below, left, right and above.
+AROUND = np.array([6, 6, 6, 6]), np.array([2, 5, 7, 10])
+
+# The edges by which their lines leave the face of CORNERS, where, and x and y of the edges' ends.
+LEFT = ([1, 0, 2, 0], [0.75, 7 / 6, 23 / 36, 0.875],
+        [[0.25, -0.5, 0.75, 1.25], [1.0, 1.5, 0.5, -0.25]],
+        [[-1.5, 1.25, -1.0, 0.5], [0.75, -0.25, 1.25, -1.5]])
+
 
 def as_pairs(impl, returned):
     """The Pairs that a function returned. Mismatch: they are none."""

@@ -1,18 +1,21 @@
 """What the exercises of lab 8 that walk on to an outline must do."""
 import edges_in_space
 import numpy as np
-from edges_in_space import EDGES, as_pairs, in_space, pairs_around, soup
+from edges_in_space import (
+    AROUND,
+    CORNERS,
+    EDGES,
+    LEFT,
+    as_pairs,
+    in_space,
+    pairs_around,
+    soup,
+)
 
-from course.given import mesh
+from course.scenes.relaxation import split_in_four
 from labkit.checks import assert_close, assert_equal, exercise
 
 # --- one step ------------------------------------------------------------------------------------
-
-CORNERS = np.array([[3.25, 0.5], [3.0, 2.75], [1.0, 1.25]])  # around (2.5, 1.5)
-
-# The pairs of a pixel of 3 rows of 4 with those to below, left, right and above.
-AROUND = np.array([6, 6, 6, 6]), np.array([2, 5, 7, 10])
-
 
 def entering(impl, corner):
     """`enter_faces` for the pairs AROUND, of two faces that both have CORNERS."""
@@ -26,8 +29,8 @@ def test_the_line_goes_out_between_the_corner_and_the_end_on_the_other_side(impl
     """Between the corner and the end on its own side: no edge crosses the line there. Or it goes
     out where it came in."""
     pairs = entering(impl, [0, 2, 0, 1])
-    assert_equal(pairs.edge, [1, 0, 2, 0])
-    assert_close(pairs.c, [0.75, 7 / 6, 23 / 36, 0.875])
+    assert_equal(pairs.edge, LEFT[0])
+    assert_close(pairs.c, LEFT[1])
 
 
 @exercise("8.15")
@@ -42,8 +45,7 @@ def test_the_corner_s_number_names_its_face(impl):
 def test_the_ends_of_an_edge_in_the_frame_of_its_pair(impl):
     """x and y are those of the screen, or of another pair."""
     pairs = entering(impl, [0, 2, 0, 1])
-    assert_close((pairs.x, pairs.y), ([[0.25, -0.5, 0.75, 1.25], [1.0, 1.5, 0.5, -0.25]],
-                                      [[-1.5, 1.25, -1.0, 0.5], [0.75, -0.25, 1.25, -1.5]]))
+    assert_close((pairs.x, pairs.y), LEFT[2:])
 
 
 def crossed_edges(owner, other, face, screen, faces, width):
@@ -266,16 +268,6 @@ def outlines_of(impl, *scene):
     return tuple(field[order] for field in pairs[:3])
 
 
-def quartered(clip, faces):
-    """Each face is cut into four, in space: nothing on the screen changes."""
-    edges, edge = mesh.edges(faces)
-    a, b, c = faces.T
-    m_a, m_b, m_c = (edge + len(clip)).T
-    cut = [(a, m_c, m_b), (b, m_a, m_c), (c, m_b, m_a), (m_a, m_b, m_c)]
-    return (np.concatenate([clip, clip[edges].mean(1)]),
-            np.concatenate([np.stack(face, 1) for face in cut]))
-
-
 def ndc(x, y, z, size):
     """Points on screen -> clip (V, 4) with w = 1."""
     width, height = size
@@ -365,7 +357,7 @@ def test_faces_of_any_size_have_the_outlines_of_the_whole(impl, rng):
         clip, faces = ndc(x, y, rng.uniform(-0.9, 0.9, 18), (9, 7)), np.arange(18).reshape(6, 3)
         expected = expected_outlines(*seen(clip, faces, (9, 7)), clip, faces)
         for _ in range(2):
-            clip, faces = quartered(clip, faces)
+            clip, faces = split_in_four(clip, faces)
         got = outlines_of(impl, *seen(clip, faces, (9, 7)), clip, faces, opposite_of(faces))
         assert_close(got, expected)
 

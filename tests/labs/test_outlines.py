@@ -3,7 +3,17 @@ import itertools
 
 import edges_in_space
 import numpy as np
-from edges_in_space import EDGES, FIELDS, as_pairs, in_space, pairs_around, soup
+from edges_in_space import (
+    AROUND,
+    CORNERS,
+    EDGES,
+    FIELDS,
+    LEFT,
+    as_pairs,
+    in_space,
+    pairs_around,
+    soup,
+)
 
 from labkit.checks import assert_close, assert_equal, exercise
 
@@ -71,12 +81,6 @@ def test_of_equally_deep_pixels_the_second_is_the_owner(impl):
 
 # --- the edge by which a line leaves a face ----------------------------------------------------
 
-CORNERS = np.array([[3.25, 0.5], [3.0, 2.75], [1.0, 1.25]])  # around (2.5, 1.5)
-
-# The pairs of a pixel of 3 rows of 4 with those to below, left, right and above.
-AROUND = np.array([6, 6, 6, 6]), np.array([2, 5, 7, 10])
-
-
 def leaving(impl, face):
     """`leave_faces` for the pairs AROUND, of two faces that both have CORNERS."""
     x, y = np.tile(CORNERS, (2, 1)).T
@@ -91,8 +95,7 @@ def test_the_ends_of_an_edge_in_the_frame_of_its_pair(impl):
     missing: the centre is not the corner. Rows and columns are swapped. y is mirrored with x, or x
     and y do not change places for pixels above each other."""
     pairs = leaving(impl, 0)
-    assert_close((pairs.x, pairs.y), ([[0.25, -0.5, 0.75, 1.25], [1.0, 1.5, 0.5, -0.25]],
-                                      [[-1.5, 1.25, -1.0, 0.5], [0.75, -0.25, 1.25, -1.5]]))
+    assert_close((pairs.x, pairs.y), LEFT[2:])
 
 
 @exercise("8.11")
@@ -101,8 +104,8 @@ def test_the_line_leaves_by_the_last_edge_that_it_crosses(impl):
     k + 1; it lies opposite to corner k. ends are corners 0 to 2, not vertices of the mesh."""
     pairs = leaving(impl, 1)
     assert_equal((pairs.edge, pairs.ends, pairs.face),
-                 ([1, 0, 2, 0], [[5, 4, 3, 4], [3, 5, 4, 5]], [1, 1, 1, 1]))
-    assert_close(pairs.c, [0.75, 7 / 6, 23 / 36, 0.875])
+                 (LEFT[0], [[5, 4, 3, 4], [3, 5, 4, 5]], [1, 1, 1, 1]))
+    assert_close(pairs.c, LEFT[1])
 
 
 def by_search(owner, other, face, screen, faces, width):

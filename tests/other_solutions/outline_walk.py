@@ -3,8 +3,7 @@ import numpy as np
 
 from course.given.arrays import EDGES
 from reference.antialiasing import Pairs, crossing, pair_frame
-from reference.outline_walk import all_silhouettes
-from reference.outlines import leave_faces, neighbours
+from reference.outlines import all_silhouettes, leave_faces, neighbours
 
 
 def joined(found):

@@ -1,9 +1,9 @@
 """The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
-from screen_scenes import drawn, on_screen, soup
+from screen_scenes import drawn, on_screen
 
-from reference import antialiasing, outlines, rasterization, sampling
+from reference import antialiasing, outlines, sampling
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -45,19 +45,6 @@ def test_gradients_are_those_of_nvdiffrast(scene):
 
 
 # --- pictures ----------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("seed", range(4))
-def test_silhouettes_are_those_of_the_faces_that_are_seen(seed):
-    """A face is left out, or one that reaches behind the camera is taken for one in front."""
-    seen, _ = drawn(*soup(np.random.default_rng(seed), behind=True), 30, 22)
-    face_index, _, clip, faces, opposite = seen
-    screen = rasterization.screen_points(clip, 30, 22)
-    across = outlines.vertices_across(faces, opposite)
-    expected = antialiasing.silhouette_edges(*screen, faces, across)
-    expected[np.setdiff1d(np.arange(len(faces)), face_index)] = False
-    got = outlines.seen_silhouettes(face_index, screen, faces, opposite)
-    np.testing.assert_array_equal(got, expected)
-
 
 def test_pictures_without_faces_or_with_hostile_vertices():
     """A crash or NaN where nothing is seen, or from vertices that no seen face has."""

@@ -31,7 +31,7 @@ def test_what_belongs_to_a_topic_stands_below_it(page, address):
 
 
 @pytest.mark.parametrize(("name", "before", "after"), [
-    ("lectures/08_antialiasing", "07_vertex_gradients", "09_inverse_rendering"),
+    ("lectures/08_antialiasing", "07_vertex_gradients", "08b_outline_walk"),
     ("labs/08_antialiasing", "07_vertex_gradients", "09_inverse_rendering"),
     ("lectures/06b_cube_maps", "06_texturing", "07_vertex_gradients")])
 def test_next_leads_to_the_next_of_its_kind(name, before, after):

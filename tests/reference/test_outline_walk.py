@@ -1,0 +1,78 @@
+"""The reference's whole pictures with outlines that are found by walking."""
+import numpy as np
+import pytest
+from screen_scenes import camera, drawn
+
+from course.given import mesh
+from course.scenes.relaxation import split_in_four
+from reference import antialiasing, outline_walk, outlines, pipeline
+
+FAR = camera((0.0, 0.0, 4.0), fov_y=0.7)
+ASIDE = camera((0.5, 0.3, 3.5))
+LOW = camera((0.3, 0.25, 2.0), (0.0, 0.0, 0.0), near=0.01)  # over a floor that goes on behind it
+
+
+@pytest.mark.parametrize("count, least", [(1_000, 0.5), (20_000, 0.9)])
+def test_the_whole_derivative_of_a_ball_s_area_is_found(count, least):
+    """A walk stops too early, and faces that are smaller than pixels lose the gradient."""
+    vertices, faces = mesh.icosphere(count)
+    seen, white = drawn(pipeline.to_clip(vertices, FAR), faces, 96, 96)
+    exact = 2 * np.pi * (48 / np.tan(0.35) * 4 / (4**2 - 1))**2  # of a disc that grows
+
+    def lost(pairs):
+        _, grad_clip = antialiasing.blend_pairs_backward(np.ones_like(white), white, pairs, seen[2])
+        return 1 - (grad_clip * (vertices @ FAR[:, :3].T)).sum() / exact
+
+    assert abs(lost(outline_walk.walked_pairs(*seen))) < 0.015
+    assert lost(outlines.blended_pairs(*seen)) > least  # else any rule would do
+    pull = outline_walk.outline_pull_backward(np.ones_like(white), white,
+                                              outline_walk.outline_pairs(*seen), seen[2])
+    assert (pull * (vertices @ FAR[:, :3].T)).sum() == pytest.approx(exact, rel=0.01)
+
+
+def bumps():
+    x, faces = mesh.icosphere(80)
+    return pipeline.to_clip(x * (1 + 0.4 * np.sin(7 * x[:, :1])), FAR), faces
+
+
+def floor():
+    x = np.array([[-3.0, 0, -3], [3, 0, -3], [3, 0, 6], [-3, 0, 6]])
+    return pipeline.to_clip(x, LOW), np.array([[0, 2, 1], [0, 3, 2]])
+
+
+@pytest.mark.parametrize("scene", [bumps, floor])
+def test_smaller_faces_have_the_same_outlines(scene):
+    """A fold, or a corner behind the camera, leads a walk astray."""
+    clip, faces = scene()
+    assert (scene is floor) == (clip[:, 3] < 0).any()
+    expected = sorted_pairs(*drawn(clip, faces, 40, 30)[0])
+    for _ in range(3):
+        clip, faces = split_in_four(clip, faces)
+    got = sorted_pairs(*drawn(clip, faces, 40, 30)[0])
+    assert len(expected) > 20
+    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
+
+
+def sorted_pairs(*seen):
+    """owner, other and c (N, 3) of `outline_pairs`."""
+    pairs = outline_walk.outline_pairs(*seen)
+    found = np.column_stack(pairs[:3])
+    return found[np.lexsort((pairs.other, pairs.owner))]
+
+
+def test_the_gradient_of_a_fine_mesh_is_that_of_its_picture():
+    """Another edge moves than the one at which the picture is blended."""
+    vertices, faces = mesh.icosphere(3_000)
+    rng, view = np.random.default_rng(0), pipeline.View(ASIDE, 40, 40, np.array([0.2]))
+    shape = pipeline.make_mesh(vertices, faces)
+    material = pipeline.Colours(rng.uniform(size=(len(vertices), 1)))
+    weight, off = rng.normal(size=(40, 40, 1)), []
+    _, buffers = pipeline.render(shape, material, view)
+    assert len(buffers.pairs.c) > 60
+    grads = pipeline.render_backward(weight, buffers, shape, material, view).positions
+    for _ in range(9):
+        way = 1e-8 * rng.normal(size=vertices.shape)
+        ahead, behind = (pipeline.render(shape._replace(positions=x), material, view)[0]
+                         for x in (vertices + way, vertices - way))
+        off.append(((ahead - behind) * weight).sum() / 2 / (grads * way).sum() - 1)
+    assert np.abs(off).max() < 1e-6  # 5e-8 is measured
