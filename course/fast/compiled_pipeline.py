@@ -163,7 +163,7 @@ def walked_pairs(face_index, depth, points, faces, opposite):
     """`outline_walk.walked_pairs`, from the points of `screen_vertices`."""
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
-    surface = pair_kernels.Surface(points, faces, opposite, np.zeros(len(faces), np.uint8))
+    surface = pair_kernels.Surface(points, faces, opposite)
 
     def band(*rows):
         pairs = room_for_pairs(2 * (rows[1] - rows[0]) * width)

@@ -1,12 +1,12 @@
 """Pair kernels: lab 8's antialiasing as loops over pairs of pixels, there and back.
 
-    a thread a band    find_pairs         the walks of pairs that see different faces, (1) to (3)
+    a thread a band    find_pairs         pairs that see different faces, and their walks, (1) to (3)
     one thread         blend              (4) and (5), in the pairs' order
                        blend_backward     gradients of edges' ends, and of the pixels of each pair
 
 The numbers are equations of antialiasing.py, and the decisions are those of outline_walk.py, to the
-last bit. A face's silhouette is found when the first walk comes to it. Threads may find one twice,
-and write the same byte.
+last bit. The loops of a walk stand within that over the pairs: to call a kernel with a loop takes
+as long as a step, since numba counts the owners of each array that it is given.
 """
 from collections import namedtuple
 
@@ -17,14 +17,12 @@ from course.given.compiled import kernel
 from .outlines import WINDOW
 from .rasterization import CAMERA_PLANE
 
-KNOWN = np.uint8(8)  # a face's silhouette has been found: bits 0 to 2 are its edges
-
 
 # A flat picture (H W,): the face that each pixel sees, and its depth; and its sides.
 Screen = namedtuple("Screen", "face_index depth width height")
 
-# points (V, 4) on screen, faces, opposite (F, 3); silhouettes (F,): what was found.
-Surface = namedtuple("Surface", "points faces opposite silhouettes")
+# points (V, 4) on screen, faces, opposite (F, 3).
+Surface = namedtuple("Surface", "points faces opposite")
 
 # A vertex: x, y and w on screen, or x and y in the frame of a pair.
 Point = namedtuple("Point", "x y w")
@@ -32,8 +30,8 @@ Point = namedtuple("Point", "x y w")
 # Where a pair of pixels begins, and in which direction it runs: 1 or -1 along one axis.
 Frame = namedtuple("Frame", "x y dx dy")
 
-# The edge by which a pair's line leaves a face: at c, between p and q, the vertices i and j.
-Crossing = namedtuple("Crossing", "face edge c i j p q")
+# The edge by which a pair's line leaves a face, at c.
+Crossing = namedtuple("Crossing", "face edge c")
 
 # From a pair's owner to its other pixel, and the picture's sides.
 Step = namedtuple("Step", "dx dy width height")
@@ -53,26 +51,16 @@ def is_clockwise(a, b, c):
 
 
 @kernel
-def turns(points, faces, corner, b, c, own):
-    """Does the surface turn at the edge from b to c, before a corner across it that may be none?"""
-    if not 0 <= corner < faces.size:
+def is_silhouette(points, faces, opposite, at):
+    """Eq. (1) at a Crossing."""
+    across = opposite[at.face, at.edge]
+    if not 0 <= across < faces.size:
         return True
-    return is_clockwise(point(points, faces[corner // 3, corner % 3]), b, c) == own
-
-
-@kernel
-def is_silhouette(points, faces, opposite, silhouettes, face, edge):
-    """Eq. (1) for one edge of a face. Bit k is found for edge k, with KNOWN."""
-    if silhouettes[face] == 0:
-        a = point(points, faces[face, 0])
-        b = point(points, faces[face, 1])
-        c = point(points, faces[face, 2])
-        own = is_clockwise(a, b, c)
-        at_0 = turns(points, faces, opposite[face, 0], b, c, own)
-        at_1 = turns(points, faces, opposite[face, 1], c, a, own)
-        at_2 = turns(points, faces, opposite[face, 2], a, b, own)
-        silhouettes[face] = np.uint8(at_0 | at_1 << 1 | at_2 << 2 | KNOWN)
-    return silhouettes[face] >> edge & 1 == 1
+    own = is_clockwise(point(points, faces[at.face, 0]), point(points, faces[at.face, 1]),
+                       point(points, faces[at.face, 2]))
+    return own == is_clockwise(point(points, faces[across // 3, across % 3]),
+                               point(points, faces[at.face, (at.edge + 1) % 3]),
+                               point(points, faces[at.face, (at.edge + 2) % 3]))
 
 
 @kernel
@@ -109,65 +97,54 @@ def in_frame(a, frame):
 
 
 @kernel
+def corner_in_frame(points, faces, face, corner, frame):
+    """Eq. (2) for a corner of a face."""
+    return in_frame(point(points, faces[face, corner]), frame)
+
+
+@kernel
 def leave(points, faces, face, frame):
     """The Crossing by which the pair's line leaves a face: the last of its three."""
-    i, j, k = faces[face, 0], faces[face, 1], faces[face, 2]
-    a = in_frame(point(points, i), frame)
-    b = in_frame(point(points, j), frame)
-    c = in_frame(point(points, k), frame)
-    at_1, at_2 = crossed(c, a), crossed(a, b)
-    found = Crossing(face, 0, crossed(b, c), j, k, b, c)
-    if at_1 > found.c:
-        found = Crossing(face, 1, at_1, k, i, c, a)
-    if at_2 > found.c:
-        found = Crossing(face, 2, at_2, i, j, a, b)
-    return found
+    a = corner_in_frame(points, faces, face, 0, frame)
+    b = corner_in_frame(points, faces, face, 1, frame)
+    c = corner_in_frame(points, faces, face, 2, frame)
+    edge, last, at_1, at_2 = 0, crossed(b, c), crossed(c, a), crossed(a, b)
+    if at_1 > last:
+        edge, last = 1, at_1
+    if at_2 > last:
+        edge, last = 2, at_2
+    return Crossing(face, edge, last)
 
 
 @kernel
 def enter(points, faces, corner, frame):
     """The Crossing by which the line leaves a face that it enters across from a corner."""
-    face, entered = corner // 3, corner % 3
-    first, second = (entered + 1) % 3, (entered + 2) % 3
-    i, j, k = faces[face, entered], faces[face, first], faces[face, second]
-    a = in_frame(point(points, i), frame)
-    b = in_frame(point(points, j), frame)
+    face, k = corner // 3, corner % 3
+    i, j = (k + 1) % 3, (k + 2) % 3
+    a = corner_in_frame(points, faces, face, k, frame)
+    b = corner_in_frame(points, faces, face, i, frame)
     if is_below(a) == is_below(b):
-        c = in_frame(point(points, k), frame)
-        return Crossing(face, first, crossing(c, a) if is_in_front(c, a) else np.inf, k, i, c, a)
-    return Crossing(face, second, crossing(a, b) if is_in_front(a, b) else np.inf, i, j, a, b)
+        c = corner_in_frame(points, faces, face, j, frame)
+        return Crossing(face, i, crossing(c, a) if is_in_front(c, a) else np.inf)
+    return Crossing(face, j, crossing(a, b) if is_in_front(a, b) else np.inf)
 
 
 @kernel
-def walk(points, faces, opposite, silhouettes, face, goal, frame):
-    """The Crossing where a walk from the frame's beginning stops, and whether at an outline."""
-    at = leave(points, faces, face, frame)
-    for _ in range(len(faces)):
-        if not -np.inf < at.c <= 1:
-            break
-        if is_silhouette(points, faces, opposite, silhouettes, at.face, at.edge):
-            return at, at.c > -WINDOW
-        across = opposite[at.face, at.edge]
-        if at.c == 1 or across // 3 == goal:
-            break
-        at = enter(points, faces, across, frame)
-    return at, False
+def frame_of(owner, other, width):
+    """The Frame of a pair, from its owner on."""
+    row, column = owner // width, owner % width
+    if abs(other - owner) == 1 and width > 1:
+        return Frame(column + 0.5, row + 0.5, float(other - owner), 0.0)
+    return Frame(column + 0.5, row + 0.5, 0.0, 1.0 if other > owner else -1.0)
 
 
 @kernel
-def frame_of(place, is_first):
-    """The Frame of a pair at this place (axis, row, column), from its first pixel on or not."""
-    axis, row, column = place
-    if is_first:
-        return Frame(column + 0.5, row + 0.5, 1.0 - axis, 1.0 * axis)
-    return Frame(column + 1.5 - axis, row + 0.5 + axis, axis - 1.0, -1.0 * axis)
-
-
-@kernel
-def pairs_along(axis, screen, surface, rows, pairs, n):
-    """The pairs along x (axis 0) or y (axis 1), after the first n -> how many there are now."""
+def neighbours(axis, screen, rows, pairs, n):
+    """The pairs along x (axis 0) or y (axis 1) that see different faces, after the first n -> how
+    many there are now.
+    """
     face_index, depth, width, height = screen
-    points, faces, opposite, silhouettes = surface
+    owner, other = pairs.owner, pairs.other
     step, columns = (1, max(width - 1, 0)) if axis == 0 else (width, width)
     for row in range(rows[0], min(rows[1], height - axis)):
         for column in range(columns):
@@ -175,43 +152,50 @@ def pairs_along(axis, screen, surface, rows, pairs, n):
             second = first + np.uintp(step)
             if face_index[first] != face_index[second]:
                 is_first = depth[first] < depth[second]
-                seen = face_index[first], face_index[second]
-                at, is_first, is_blended = between(points, faces, opposite, silhouettes, seen,
-                                                   (axis, row, column), is_first)
-                if is_blended:
-                    owner, other = (first, second) if is_first else (second, first)
-                    put(pairs, n, owner, other, at)
-                    n += 1
+                owner[n] = first if is_first else second
+                other[n] = second if is_first else first
+                n += 1
     return n
 
 
 @kernel
-def between(points, faces, opposite, silhouettes, seen, place, is_first):
-    """The Crossing between two pixels that see different faces, whether the first of them is the
-    owner, and whether the two are blended. place: axis, and row and column of the first.
+def keep_outlines(screen, surface, pairs, begin, end):
+    """Of the pairs begin <= n < end, those that are blended are written from begin on -> their end.
     """
-    near, far = np.intp(seen[0]), np.intp(seen[1])
-    if not is_first:
-        near, far = far, near
-    for _ in range(2):
-        at, is_outline = walk(points, faces, opposite, silhouettes, near, far,
-                              frame_of(place, is_first))
-        if is_outline or at.c < 1 or far < 0:
-            break
-        near, far, is_first = far, near, not is_first
-    is_steep = abs(at.q.y - at.p.y) >= abs(at.q.x - at.p.x)
-    return at, is_first, is_outline and is_steep and not (at.c == 0.5 and is_first)
+    points, faces, opposite = surface
+    face_index, owners, others = screen.face_index, pairs.owner, pairs.other
+    kept, width = begin, screen.width
+    for n in range(begin, end):
+        owner, other, is_back = owners[n], others[n], False
+        frame = frame_of(owner, other, width)
+        at = leave(points, faces, np.intp(face_index[owner]), frame)
+        for _ in range(2 * len(faces)):
+            if -np.inf < at.c <= 1 and is_silhouette(points, faces, opposite, at):
+                kept += put(pairs, kept, owner, other, at, surface, frame)
+                break
+            if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
+                at = enter(points, faces, opposite[at.face, at.edge], frame)
+            elif at.c < 1 or is_back or face_index[other] < 0:
+                break
+            else:
+                owner, other, is_back = other, owner, True
+                frame = frame_of(owner, other, width)
+                at = leave(points, faces, np.intp(face_index[owner]), frame)
+    return kept
 
 
 @kernel
-def put(pairs, n, owner, other, at):
-    """Write pair n, at a Crossing."""
+def put(pairs, n, owner, other, at, surface, frame):
+    """Write pair n, at a Crossing -> whether it is blended."""
     pairs.owner[n], pairs.other[n] = owner, other
     pairs.face[n], pairs.edge[n] = at.face, at.edge
     pairs.c[n] = at.c
-    pairs.ends[0, n], pairs.ends[1, n] = at.i, at.j
-    pairs.x[0, n], pairs.x[1, n] = at.p.x, at.q.x
-    pairs.y[0, n], pairs.y[1, n] = at.p.y, at.q.y
+    for k in range(2):
+        vertex = surface.faces[at.face, (at.edge + 1 + k) % 3]
+        end = in_frame(point(surface.points, vertex), frame)
+        pairs.ends[k, n], pairs.x[k, n], pairs.y[k, n] = vertex, end.x, end.y
+    is_steep = abs(pairs.y[1, n] - pairs.y[0, n]) >= abs(pairs.x[1, n] - pairs.x[0, n])
+    return at.c > -WINDOW and is_steep and not (at.c == 0.5 and owner < other)
 
 
 @kernel
@@ -219,8 +203,9 @@ def find_pairs(screen, surface, rows, pairs):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
     those with the one above -> how many there are of the first, and in all.
     """
-    beside = pairs_along(0, screen, surface, rows, pairs, 0)
-    return beside, pairs_along(1, screen, surface, rows, pairs, beside)
+    beside = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0))
+    return beside, keep_outlines(screen, surface, pairs, beside,
+                                 neighbours(1, screen, rows, pairs, beside))
 
 
 @kernel
