@@ -22,7 +22,7 @@ Sources: notes on GAMES101 lecture 6, Sutherland and Hodgman 1974 (clipping).
 import numpy as np
 
 
-def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
+def alias_frequency(frequency, rate):  # step 3.1
     """Eq. (1): the slowest frequency that has the same samples.
 
     frequency (...), rate, a number -> (...): negative where a wheel seems to turn backwards.
@@ -35,7 +35,7 @@ def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
     return frequency - rate * np.floor(frequency / rate + 0.5)
 
 
-def dft_matrix(n):  # exercise 3.2 (1 point)
+def dft_matrix(n):  # step 3.2
     """Eq. (2) as a complex matrix D (n, n): D @ f is the spectrum of n samples f (n,).
 
     >>> dft_matrix(4)[:2].round(9) + 0.0
@@ -139,16 +139,21 @@ def box_spectrum(width, n):  # extra 3.9 (2 points)
     return np.concatenate([[1.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
 
 
-def sampled_spectrum(spectrum, step):  # exercise 3.10 (4 points)
-    """Eq. (6) along y and along x: the spectrum of picture[::step, ::step].
+def sampled_spectrum(spectrum, step, limit):  # exercise 3.10 (3 points)
+    """Eq. (6) along y and along x: the spectrum of every step-th pixel, after an ideal filter.
 
-    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W.
+    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W. The filter
+    drops all with |f_y| >= limit or |f_x| >= limit, of the given `frequencies`. With 0.5 / step
+    nothing overlaps, and `python3 -m course demo --impl labs aliasing` draws rings without false
+    ones. With np.inf there is no filter, and (6) says which aliases come.
 
-    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
+    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2, np.inf)
     array([[3.5, 0.5]])
     """
     height, width = spectrum.shape
-    copies = spectrum.reshape(step, height // step, step, width // step)
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    kept = np.where(np.maximum(f_y, f_x) < limit, spectrum, 0)
+    copies = kept.reshape(step, height // step, step, width // step)
     return copies.sum((0, 2)) / step**2
 
 
@@ -184,7 +189,7 @@ def sample_then_blur(picture, step, width=3):
     return convolve(picture[::step, ::step], box_filter(width))
 
 
-def clip_polygon(polygon, a, b, c):  # exercise 3.12 (4 points)
+def clip_polygon(polygon, a, b, c):  # step 3.12
     """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
 
     Go around it: a vertex inside stays, and an edge that crosses the line adds its crossing. You
@@ -220,25 +225,11 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
-    """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
-
-    >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    >>> polygon_area_backward(np.array(2.0), square)[2]  # its upper right corner
-    array([1., 1.])
-    """
-    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area does not depend on
-    # where it is measured from, so the first point is no exception.
-    x, y = polygon[..., 0], polygon[..., 1]
-    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
-    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
-    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
-
-
-def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
+def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (4 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
-    Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
+    Clip it by the pixel's four sides. What is left has the area (8), `polygon_area`. The triangle
+    may be clockwise. `clip_polygon` is a step on the way. Your own, without stairs, is drawn by
     `python3 -m course demo --impl labs aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
@@ -285,10 +276,17 @@ def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # extra 3.18 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    A piece between two neighbouring `cuts` lies inside a square if its middle does.
+    polygon (N, 2), x, y (P,): the squares' lower left corners. `cuts` (P, N, 6) is given: a piece
+    of an edge between two neighbouring cuts lies inside a square if its middle does. Summed over
+    the squares, its shares go to both ends of the edge. They pull a triangle to its place in
+    `python3 -m course demo --impl labs aliasing`.
+
+    >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    >>> clamped_area_backward(np.array([2.0]), square / 2, np.zeros(1), np.zeros(1))[2]
+    array([0.5, 0.5])
 
     Fine print. A piece along a side that two squares share counts in one of them. It is inside if
     x <= middle < x + 1, and y alike.

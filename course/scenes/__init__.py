@@ -7,7 +7,7 @@
     hull               where a search for a shape begins
     portrait           the bunny, as pictures
     small              squares on pixels' centres, a ball cut open: pixel by pixel
-    aliasing           a zone plate made smaller in three ways
+    aliasing           a zone plate made smaller in five ways, a triangle that is pulled
     msaa               a silhouette with more and more samples in a pixel
     reflections        what a mirror shows: directions, footprints, surroundings
     fit_vertices       a triangle finds its place from the colours inside of it

@@ -1,8 +1,9 @@
-"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4 and 15 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh
 from course.scenes import (
+    aliasing,
     drawing,
     fit_volume,
     hole,
@@ -12,6 +13,15 @@ from course.scenes import (
     tiles,
     viewing,
 )
+
+
+def lab_3(labs):
+    """A zone plate made smaller, and a triangle that is pulled to its place."""
+    yield from aliasing.smaller(labs.sampling, aliasing.zone_plate(39)[..., 0]).items()
+    coverage = labs.sampling.pixel_coverage_loop(9 * aliasing.GOAL, 9, 9)
+    yield "exact coverage", coverage
+    *_, triangle = aliasing.pulled(labs.sampling, 9 * aliasing.START, coverage, 5)
+    yield "a triangle pulled to its place", triangle
 
 
 def lab_15(labs):
