@@ -80,7 +80,7 @@ def frequencies(n):
     return np.where(2 * k < n, k, k - n) / n
 
 
-def band_pass(picture, low, high):  # extra 3.6 (2 points)
+def band_pass(picture, low, high):  # extra 3.3 (2 points)
     """The part of a picture whose frequencies have a length low <= |(f_y, f_x)| < high.
 
     picture (H, W) -> (H, W). A low-pass filter has low = 0, a high-pass filter has high = np.inf.
@@ -93,7 +93,7 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
     return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
 
 
-def convolve(picture, kernel):  # exercise 3.7 (3 points)
+def convolve(picture, kernel):  # exercise 3.4 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
     h and w are odd, and kernel[h // 2, w // 2] is g_0.
@@ -112,7 +112,7 @@ def convolve(picture, kernel):  # exercise 3.7 (3 points)
     return total
 
 
-def convolve_by_spectrum(picture, kernel):  # extra 3.8 (2 points)
+def convolve_by_spectrum(picture, kernel):  # extra 3.5 (2 points)
     """Eq. (4): `convolve` as a product of spectra, for h <= H and w <= W.
 
     First make a picture (H, W) of the kernel, with its middle at [0, 0] and the rest around it.
@@ -127,7 +127,7 @@ def convolve_by_spectrum(picture, kernel):  # extra 3.8 (2 points)
     return picture_of(spectrum_of(picture) * spectrum_of(centred))
 
 
-def box_spectrum(width, n):  # extra 3.9 (2 points)
+def box_spectrum(width, n):  # extra 3.6 (2 points)
     """Eq. (5): the spectrum (n,), real, of a box filter on n samples. It is 1 at frequency 0.
 
     The box is 1 / width at width samples, and its middle is at 0. width is odd, and at most n.
@@ -139,7 +139,7 @@ def box_spectrum(width, n):  # extra 3.9 (2 points)
     return np.concatenate([[1.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
 
 
-def sampled_spectrum(spectrum, step, limit):  # exercise 3.10 (3 points)
+def sampled_spectrum(spectrum, step, limit):  # exercise 3.7 (3 points)
     """Eq. (6) along y and along x: the spectrum of every step-th pixel, after an ideal filter.
 
     spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W. The filter
@@ -157,7 +157,7 @@ def sampled_spectrum(spectrum, step, limit):  # exercise 3.10 (3 points)
     return copies.sum((0, 2)) / step**2
 
 
-def folded_energy(spectrum, step):  # extra 3.11 (2 points)
+def folded_energy(spectrum, step):  # extra 3.8 (2 points)
     """How much of a picture is too fast for every step-th sample? It comes back as aliasing.
 
     spectrum (H, W) -> the mean square over the pixels of the part with |f_y| or |f_x| of at least
@@ -189,7 +189,7 @@ def sample_then_blur(picture, step, width=3):
     return convolve(picture[::step, ::step], box_filter(width))
 
 
-def clip_polygon(polygon, a, b, c):  # step 3.12
+def clip_polygon(polygon, a, b, c):  # step 3.9
     """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
 
     Go around it: a vertex inside stays, and an edge that crosses the line adds its crossing. You
@@ -225,7 +225,7 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (4 points)
+def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
     Clip it by the pixel's four sides. What is left has the area (8), `polygon_area`. The triangle
@@ -246,7 +246,7 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (4 points)
     return coverage
 
 
-def cuts(polygon, x, y):  # extra 3.16 (2 points)
+def cuts(polygon, x, y):  # extra 3.11 (2 points)
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
     x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
@@ -263,7 +263,7 @@ def cuts(polygon, x, y):  # extra 3.16 (2 points)
     return np.sort(t)
 
 
-def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
+def clamped_area(polygon, x, y):  # extra 3.12 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
     x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
@@ -276,7 +276,7 @@ def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.13 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
     polygon (N, 2), x, y (P,): the squares' lower left corners. `cuts` (P, N, 6) is given: a piece
