@@ -29,17 +29,21 @@ def aliasing(labs, out="aliasing", photo=None):
         decades = np.log10(np.maximum(size / (size.max() or 1), 1e-5))
         yield "its spectrum", save(out, f"{name}_spectrum", enlarged(1 + decades / 5, STEP))
 
-    if photo is not None:
-        return
-    coverage = labs.sampling.pixel_coverage_loop(64 * GOAL, 64, 64)
-    yield "exact coverage", save(out, "coverage", enlarged(image.to_srgb(1 - coverage), 8))
-    for step, triangle in enumerate(pulled(labs.sampling, 64 * START, coverage, 120)):
+    if photo is None:
+        yield from found_again(labs.sampling, 64)
+
+
+def found_again(lab3, size):
+    """A triangle's exact coverage of size x size pixels, and how it pulls another one to it."""
+    coverage = lab3.pixel_coverage_loop(size * GOAL, size, size)
+    yield "exact coverage", save("aliasing", "coverage", enlarged(image.to_srgb(1 - coverage), 8))
+    for step, triangle in enumerate(pulled(lab3, size * START, coverage, 120)):
         if step % 40 == 0:
-            missing = np.abs(labs.sampling.pixel_coverage(triangle, 64, 64) - coverage)
+            missing = np.abs(lab3.pixel_coverage(triangle, size, size) - coverage)
             light = np.stack([1 - missing, 1 - coverage, 1 - coverage], -1)
-            off = np.linalg.norm(triangle - 64 * GOAL, axis=1).max()
+            off = np.linalg.norm(triangle - size * GOAL, axis=1).max()
             yield (f"step {step}: red is right, black is missing, a vertex is {off:.3f} pixels off",
-                   save(out, f"step_{step}", enlarged(image.to_srgb(light), 8)))
+                   save("aliasing", f"step_{step}", enlarged(image.to_srgb(light), 8)))
     yield "the pixels pulled the vertices to their places", None, ("0.01 pixels", off < 0.01)
 
 
