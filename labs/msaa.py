@@ -43,7 +43,7 @@ def regular_grid(n):
     return (np.stack([j, i], -1) + 0.5) / n
 
 
-def lattice(count, step):  # exercise 4.2 (2 points)
+def lattice(count, step):  # step 4.2
     """Eq. (3): the lattice of S = count samples with k = step -> (S, 2).
 
     >>> lattice(4, 3)
@@ -66,7 +66,7 @@ def standard_pattern(count):
     return lattice(count, STEPS[count])
 
 
-def centre_sample(clip, offset, width, height):  # exercise 4.3 (3 points)
+def centre_sample(clip, offset, width, height):  # step 4.3
     """Eq. (4): clip (V, 4) moved so that the sample at offset (2,) comes to its pixel's centre.
 
     -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2, and y alike.
@@ -82,24 +82,25 @@ def centre_sample(clip, offset, width, height):  # exercise 4.3 (3 points)
     raise NotImplementedError("exercise 4.3: centre_sample")
 
 
-def rasterize_samples(clip, faces, width, height, pattern):
-    """Face and depth of every sample: face_index (S, H, W), depth (S, H, W), as of `rasterize`.
+def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.4 (2 points)
+    """Eq. (4): the face and the depth of every sample, each by your own `rasterize` of lab 2.
 
-    clip (V, 4), faces (F, 3), pattern (S, 2), S >= 1. At an edge of two faces each sample belongs
-    to one of them, as the vertices of both move by the same numbers.
+    clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index (S, height, width), -1 where no face is
+    seen, depth (S, height, width). `centre_sample` is a step on the way. Your bunny's outline
+    becomes smooth by it: `python3 -m course demo --impl labs msaa`.
+
+    >>> clip = np.array([[-1.0, -1, 0, 1], [0, -1, 0, 1], [0, 3, 0, 1], [-1, 3, 0, 1]])
+    >>> faces = np.array([[0, 1, 2], [0, 2, 3]])  # the left half of the picture
+    >>> pattern = np.array([[0.2, 0.9], [0.2, 0.4], [0.9, 0.4]])
+    >>> rasterize_samples(clip, faces, 1, 1, pattern)[0].ravel()
+    array([ 1,  0, -1])
+
+    Fine print. A picture may be 0 pixels wide or high: it is empty.
     """
-    if len(pattern) == 0:
-        raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
-                         "regular_grid(1) for the centre alone")
-    face_index = np.empty((len(pattern), height, width), int)
-    depth = np.empty(face_index.shape)
-    for s, offset in enumerate(pattern):
-        moved = centre_sample(clip, offset, max(width, 1), max(height, 1))  # it may be empty
-        face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
-    return face_index, depth
+    raise NotImplementedError("exercise 4.4: rasterize_samples")
 
 
-def coverage(face_index):  # exercise 4.4 (1 point)
+def coverage(face_index):
     """Eq. (1), f = 1 on faces, else 0: which fraction of a pixel's samples see a face?
 
     face_index (S, H, W), -1 for no face -> (H, W).
@@ -107,7 +108,7 @@ def coverage(face_index):  # exercise 4.4 (1 point)
     >>> coverage(np.array([[[0, -1]], [[7, 3]]]))
     array([[1. , 0.5]])
     """
-    raise NotImplementedError("exercise 4.4: coverage")
+    return (face_index >= 0).mean(0)
 
 
 def observed_order(n, error):  # extra 4.5 (2 points)
@@ -123,7 +124,7 @@ def observed_order(n, error):  # extra 4.5 (2 points)
     return -(x @ y) / (x @ x)
 
 
-def box_resolve(picture, n):  # exercise 4.6 (2 points)
+def box_resolve(picture, n):  # step 4.6
     """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
 
     >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
@@ -169,51 +170,26 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
-def shading_requests_loop(face_index):  # exercise 4.8 (3 points)
+def shading_requests(face_index):  # exercise 4.8 (4 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
     face_index (S, H, W). N pairs in any order -> pixel (N,) = row * W + column, face (N,), and
-    request (S, H, W), the number of each sample's pair, or -1.
+    request (S, H, W), the number of each sample's pair, or -1. How few shades the bunny
+    takes: `python3 -m course demo --impl labs msaa`.
 
-    >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
-    [[[0, -1]], [[0, 2]], [[1, 3]]]
+    >>> shading_requests(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
+    [[[0, -1]], [[0, 3]], [[1, 2]]]
+
+    Fine print. There may be millions of pixels, and of faces: their product needs 64 bits.
     """
-    raise NotImplementedError("exercise 4.8: shading_requests_loop")
+    raise NotImplementedError("exercise 4.8: shading_requests")
 
 
-def shading_requests(face_index):  # extra 4.9 (4 points)
-    """What `shading_requests_loop` returns, in less time than Python needs to visit all samples.
-
-    In most pixels all samples see the same face, or none: such a pixel is one pair or none. Only
-    the others have to be searched for samples that see the same face.
-    """
-    seen = face_index.reshape(len(face_index), -1)  # (S, H W)
-    is_mixed = (seen[1:] != seen[0]).any(0)
-    pixel = np.flatnonzero((seen[0] >= 0) & ~is_mixed)
-    face = seen[0, pixel]
-    request = np.full(seen.shape[1], -1)
-    request[pixel] = np.arange(len(pixel))
-    request = np.tile(request, (len(seen), 1))
-    # A mixed pixel's sample has the request of the last sample there that sees the same face.
-    mixed = np.flatnonzero(is_mixed)
-    seen = seen[:, mixed]
-    last = np.zeros(seen.shape, int)
-    for s in range(1, len(seen)):
-        np.copyto(last, s, where=seen == seen[s])
-    s, k = np.nonzero((last == np.arange(len(seen))[:, None]) & (seen >= 0))
-    number = np.full(seen.shape, -1)
-    number[s, k] = len(pixel) + np.arange(len(k))
-    request[:, mixed] = np.take_along_axis(number, last, 0)
-    pixel = np.concatenate([pixel, mixed[k]])
-    face = np.concatenate([face, seen[s, k]])
-    return pixel, face, request.reshape(face_index.shape)
-
-
-def resolve(shade, request, background):  # exercise 4.10 (2 points)
+def resolve(shade, request, background):  # exercise 4.10 (3 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
     shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
-    background. Your own smooth edges: `python3 -m course demo --impl labs msaa`.
+    background. All of `python3 -m course demo --impl labs msaa` is drawn by it.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
@@ -229,7 +205,8 @@ def resolve(shade, request, background):  # exercise 4.10 (2 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered. `scatter` of arrays.py is given.
+    What `resolve` gathers is scattered. `scatter` of arrays.py is given. A ball gets its colours
+    back from a few pixels by it: `python3 -m course demo --impl labs msaa`.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))
@@ -247,6 +224,9 @@ def msaa(clip, faces, width, height, pattern, shade, background):
     shade and background: as for `supersample`, but shade gets the centres of pixels. A face may
     miss the centre of a pixel that it covers in part, see `barycentric_at`.
     """
+    if len(pattern) == 0:
+        raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
+                         "regular_grid(1) for the centre alone")
     face_index, _ = rasterize_samples(clip, faces, width, height, pattern)
     pixel, face, request = shading_requests(face_index)
     row, column = np.divmod(pixel, width)

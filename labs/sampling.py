@@ -136,9 +136,8 @@ def sampled_spectrum(spectrum, step, limit):  # exercise 3.7 (3 points)
     """Eq. (6) along y and along x: the spectrum of every step-th pixel, after an ideal filter.
 
     spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W. The filter
-    drops all with |f_y| >= limit or |f_x| >= limit, of the given `frequencies`. With 0.5 / step
-    nothing overlaps, and `python3 -m course demo --impl labs aliasing` draws rings without false
-    ones. With np.inf there is no filter, and (6) says which aliases come.
+    drops what has |f_y| >= limit or |f_x| >= limit, see `frequencies`. np.inf drops nothing. Rings
+    without false ones: `python3 -m course demo --impl labs aliasing`.
 
     >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2, np.inf)
     array([[3.5, 0.5]])
@@ -210,8 +209,8 @@ def polygon_area(polygon):
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
-    Clip it by the pixel's four sides. What is left has the area (8), `polygon_area`. The triangle
-    may be clockwise. `clip_polygon` is a step on the way. Your own, without stairs, is drawn by
+    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), the given
+    `polygon_area`. The triangle may be clockwise. Your own, without stairs:
     `python3 -m course demo --impl labs aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
@@ -221,14 +220,12 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     raise NotImplementedError("exercise 3.10: pixel_coverage_loop")
 
 
-def cuts(polygon, x, y):  # extra 3.11 (2 points)
+def cuts(polygon, x, y):
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
     x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
     vertex n to the next, p + t (q - p). Its t are 0, 1 and the crossings with x, x + 1, y, y + 1.
-
-    Fine print. If an edge does not cross a line, or runs along it, t is any number in [0, 1], but
-    never NaN.
+    If an edge does not cross a line, or runs along it, t is some number in [0, 1].
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -238,7 +235,7 @@ def cuts(polygon, x, y):  # extra 3.11 (2 points)
     return np.sort(t)
 
 
-def clamped_area(polygon, x, y):  # extra 3.12 (3 points)
+def clamped_area(polygon, x, y):  # extra 3.11 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
     x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
@@ -251,13 +248,12 @@ def clamped_area(polygon, x, y):  # extra 3.12 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.13 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.12 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    polygon (N, 2), x, y (P,): the squares' lower left corners. `cuts` (P, N, 6) is given: a piece
-    of an edge between two neighbouring cuts lies inside a square if its middle does. Summed over
-    the squares, its shares go to both ends of the edge. They pull a triangle to its place in
-    `python3 -m course demo --impl labs aliasing`.
+    polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two
+    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both ends of the edge,
+    as in `python3 -m course demo --impl labs aliasing`.
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> clamped_area_backward(np.array([2.0]), square / 2, np.zeros(1), np.zeros(1))[2]
@@ -266,7 +262,7 @@ def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.13 (4 points)
     Fine print. A piece along a side that two squares share counts in one of them. It is inside if
     x <= middle < x + 1, and y alike.
     """
-    raise NotImplementedError("exercise 3.13: clamped_area_backward")
+    raise NotImplementedError("exercise 3.12: clamped_area_backward")
 
 
 def classify_pixels(triangle, width, height):

@@ -245,14 +245,12 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     return coverage
 
 
-def cuts(polygon, x, y):  # extra 3.11 (2 points)
+def cuts(polygon, x, y):
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
     x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
     vertex n to the next, p + t (q - p). Its t are 0, 1 and the crossings with x, x + 1, y, y + 1.
-
-    Fine print. If an edge does not cross a line, or runs along it, t is any number in [0, 1], but
-    never NaN.
+    If an edge does not cross a line, or runs along it, t is some number in [0, 1].
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -262,7 +260,7 @@ def cuts(polygon, x, y):  # extra 3.11 (2 points)
     return np.sort(t)
 
 
-def clamped_area(polygon, x, y):  # extra 3.12 (3 points)
+def clamped_area(polygon, x, y):  # extra 3.11 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
     x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
@@ -275,11 +273,11 @@ def clamped_area(polygon, x, y):  # extra 3.12 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.13 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.12 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
     polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two
-    neighbouring `cuts` lies inside a square if its middle does. It pulls at both ends of the edge,
+    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both ends of the edge,
     as in `python3 -m course demo --impl labs aliasing`.
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])

@@ -281,16 +281,6 @@ def test_it_is_the_fourier_transform_of_a_centred_box(impl, rng):
         assert_close(impl.box_spectrum(width, n), np.fft.fft(box).real, rtol=0, atol=1e-12)
 
 
-@exercise("3.6")
-def test_a_box_of_many_samples_is_a_sinc(impl):
-    """The zeros are in the wrong places: those of a box of width w are at multiples of 1 / w."""
-    width, n = 301, 4816
-    f = np.arange(30) / n
-    assert_close(impl.box_spectrum(width, n)[:30], np.sinc(width * f), rtol=0, atol=1e-4)
-
-
-# --- sampling ----------------------------------------------------------------------------------
-
 @exercise("3.7")
 def test_two_copies_on_paper(impl):
     """Neighbours are summed, not copies N/s apart. Copies (aliases) are cut off. Every s-th entry
@@ -476,56 +466,6 @@ def test_coverage_is_the_exact_area(impl, name):
 
 
 @exercise("3.11")
-def test_cuts_on_paper(impl):
-    """t is not sorted, or not divided by q - p. The lines of another square, or x and y swapped. t
-    runs from the edge's end to its start, or the edge leads to the previous vertex. 0 and 1 are
-    missing.
-    """
-    polygon = np.array([[-1.0, -3.0], [5.0, 3.0], [-1.0, -1.0], [3.0, 4.0]])
-    t = impl.cuts(polygon, np.array([1.0, 0.0]), np.array([0.0, 0.0]))
-    right = np.array([[0.0, 1 / 3, 0.5, 0.5, 2 / 3, 1.0], [0.0, 0.5, 0.5, 2 / 3, 0.75, 1.0],
-                      [0.0, 0.2, 0.4, 0.5, 0.75, 1.0], [0.0, 0.25, 3 / 7, 0.5, 4 / 7, 1.0]])
-    left = np.array([[0.0, 1 / 6, 1 / 3, 0.5, 2 / 3, 1.0], [0.0, 0.5, 2 / 3, 0.75, 5 / 6, 1.0],
-                     [0.0, 0.2, 0.25, 0.4, 0.5, 1.0], [0.0, 3 / 7, 0.5, 4 / 7, 0.75, 1.0]])
-    assert_close(t, [right, left])
-
-
-@exercise("3.11", fine_print=True)
-def test_an_edge_along_a_line_has_cuts_too(impl):
-    """0 / 0 is NaN where an edge runs along a side of the square. Or t leaves [0, 1], as it is not
-    clamped beyond the ends of the edge.
-    """
-    t = impl.cuts(TWO_SIDES_ON_THE_GRID, np.array([1.0]), np.array([1.0]))
-    assert_equal(bool(np.isfinite(t).all() and (t >= 0).all() and (t <= 1).all()), True)
-
-
-@pytest.mark.parametrize("along", [
-    pytest.param(False, marks=exercise("3.11"), id="slanted"),
-    pytest.param(True, marks=exercise("3.11", fine_print=True), id="along the lines")])
-def test_every_crossing_is_among_the_cuts(impl, rng, along):
-    """One of the four lines is left out. t leaves [0, 1], beyond the ends of the edge. Or all
-    squares get the cuts of the first one.
-    """
-    polygon = rng.uniform(0, 6, (4, 2))
-    if along:
-        polygon[1, 0] = polygon[0, 0]  # an edge along the columns
-        polygon[2, 1] = polygon[1, 1]  # one along the rows
-    x, y = corners(6, 5)
-    t = impl.cuts(polygon, x, y)
-    assert_equal(t.shape, (30, 4, 6))
-    assert_equal(bool((np.diff(t) >= 0).all()), True)
-    assert_equal(t[..., [0, -1]], np.tile([0.0, 1.0], (30, 4, 1)))
-    for square, n in np.ndindex(30, 4):
-        p, q = polygon[n], polygon[(n + 1) % 4]
-        lower = np.array([x[square], y[square]])
-        for side, axis in ((side, axis) for side in (lower, lower + 1) for axis in (0, 1)):
-            if (p[axis] - side[axis]) * (q[axis] - side[axis]) < 0:
-                crossing = (side[axis] - p[axis]) / (q[axis] - p[axis])
-                nearest = t[square, n, np.abs(t[square, n] - crossing).argmin()]
-                assert_close(nearest, crossing, given=f"square {lower}, edge from {p} to {q}")
-
-
-@exercise("3.12")
 def test_areas_in_five_squares_on_paper(impl):
     """Points are clamped to another square: one at the origin, one centred at x and y, or x and y
     swapped. The cuts are not used. The sign of the winding is lost.
@@ -537,14 +477,14 @@ def test_areas_in_five_squares_on_paper(impl):
     assert_close(impl.clamped_area(triangle[::-1].copy(), x, y), -expected)
 
 
-@exercise("3.12")
+@exercise("3.11")
 def test_squares_need_not_lie_on_the_grid(impl):
     """x and y are cut to whole numbers."""
     got = impl.clamped_area(SQUARE, np.array([3.25, -0.5, 9.5]), np.array([-0.25, 3.75, 1.0]))
     assert_close(got, [0.5625, 0.125, 0.0])
 
 
-@exercise("3.12")
+@exercise("3.11")
 @each_triangle
 def test_clamping_gives_the_area_of_clipping(impl, triangle):
     """Points are clamped without the cuts: where an edge passes a corner, area appears."""
@@ -552,7 +492,7 @@ def test_clamping_gives_the_area_of_clipping(impl, triangle):
     assert_picture(got, exact_areas(triangle, 6, 5), atol=1e-12)
 
 
-@exercise("3.12")
+@exercise("3.11")
 def test_it_holds_for_polygons_that_are_not_convex(impl, rng):
     """Three corners are taken for granted."""
     star = np.array([[0.3, 0.2], [2.6, 1.7], [5.5, 0.4], [3.8, 2.3], [4.9, 4.6], [2.4, 3.1],
@@ -561,7 +501,7 @@ def test_it_holds_for_polygons_that_are_not_convex(impl, rng):
     assert_picture(got, exact_areas(star, 6, 5), atol=1e-12)  # parts joined by edges of no width
 
 
-@exercise("3.13")
+@exercise("3.12")
 def test_only_the_edge_inside_the_square_pulls(impl):
     """The whole edge counts. Its ends get the same share, a whole one, swapped ones (t and 1 - t),
     or another vertex's. x and y of the normal are swapped, it points inwards, or the edge's length
@@ -573,7 +513,7 @@ def test_only_the_edge_inside_the_square_pulls(impl):
     assert_close(got, 2 * 4 * np.array([[5 / 32, 0.0], [3 / 32, 0.0], [0.0, 0.0]]))
 
 
-@exercise("3.13")
+@exercise("3.12")
 def test_a_square_around_everything_sees_the_polygon__s_area(impl):
     """The gradient points inwards (opposite sign). x and y are swapped. Or a vertex gets another
     one's.
@@ -583,7 +523,7 @@ def test_a_square_around_everything_sees_the_polygon__s_area(impl):
     assert_close(got, [[-0.8, -1.0], [1.2, -0.4], [-0.4, 1.4]])
 
 
-@exercise("3.13")
+@exercise("3.12")
 def test_all_squares_together_pull_like_the_area(impl, rng):
     """A part of an edge is lost between two squares, or pulls in both: an end of a piece decides
     what is inside, not its middle.
@@ -594,14 +534,14 @@ def test_all_squares_together_pull_like_the_area(impl, rng):
     assert_close(impl.clamped_area_backward(np.ones(56), triangle, *corners(8, 7)), expected)
 
 
-@exercise("3.13", fine_print=True)
+@exercise("3.12", fine_print=True)
 def test_an_edge_along_a_side_pulls_once(impl):
     """An edge along a side counts in both of the squares that share it, or in none."""
     got = impl.clamped_area_backward(np.ones(16), TWO_SIDES_ON_THE_GRID, *corners(4, 4))
     assert_close(got, [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]])
 
 
-@exercise("3.13")
+@exercise("3.12")
 @pytest.mark.parametrize("name", ["ordinary", "clockwise", "smaller than a pixel",
                                   "thinner than a pixel", "partly outside"])
 def test_the_gradients_of_clamped_areas_are_central_differences(impl, name, gradcheck):
