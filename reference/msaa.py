@@ -43,7 +43,29 @@ def regular_grid(n):
     return (np.stack([j, i], -1) + 0.5) / n
 
 
-def lattice(count, step):  # step 4.2
+def box_resolve(picture, n):  # step 4.1
+    """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
+
+    >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
+    array([[2.5, 6.5]])
+    """
+    height, width, channels = picture.shape
+    rows = picture.reshape(height // n, n, width, channels).mean(1)
+    return rows.reshape(height // n, width // n, n, channels).mean(2)
+
+
+def box_resolve_backward(grad_output, picture, n):  # extra 4.2 (1 point)
+    """Backward of `box_resolve`: grad_output (H, W, C) -> grad_picture (n H, n W, C).
+
+    >>> box_resolve_backward(np.array([[[8.0]]]), np.zeros((2, 2, 1)), 2)[..., 0]
+    array([[2., 2.],
+           [2., 2.]])
+    """
+    # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
+    return (grad_output / n**2).repeat(n, 1).repeat(n, 0)
+
+
+def lattice(count, step):  # step 4.3
     """Eq. (3): the lattice of S = count samples with k = step -> (S, 2).
 
     >>> lattice(4, 3)
@@ -68,7 +90,7 @@ def standard_pattern(count):
     return lattice(count, STEPS[count])
 
 
-def centre_sample(clip, offset, width, height):  # step 4.3
+def centre_sample(clip, offset, width, height):  # step 4.4
     """Eq. (4): clip (V, 4) moved so that the sample at offset (2,) comes to its pixel's centre.
 
     -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2, and y alike.
@@ -87,7 +109,7 @@ def centre_sample(clip, offset, width, height):  # step 4.3
     return moved
 
 
-def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.4 (2 points)
+def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.5 (2 points)
     """Eq. (4): the face and the depth of every sample, each by your own `rasterize` of lab 2.
 
     clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index (S, height, width), -1 where no face is
@@ -99,13 +121,11 @@ def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.4 (2 p
     >>> pattern = np.array([[0.2, 0.9], [0.2, 0.4], [0.9, 0.4]])
     >>> rasterize_samples(clip, faces, 1, 1, pattern)[0].ravel()
     array([ 1,  0, -1])
-
-    Fine print. A picture may be 0 pixels wide or high: it is empty.
     """
     face_index = np.empty((len(pattern), height, width), int)
     depth = np.empty(face_index.shape)
     for s, offset in enumerate(pattern):
-        moved = centre_sample(clip, offset, max(width, 1), max(height, 1))
+        moved = centre_sample(clip, offset, width, height)
         face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
     return face_index, depth
 
@@ -121,7 +141,7 @@ def coverage(face_index):
     return (face_index >= 0).mean(0)
 
 
-def observed_order(n, error):  # extra 4.5 (2 points)
+def observed_order(n, error):  # extra 4.6 (2 points)
     """Eq. (5): which p fits measured errors best? n (M,), error (M,), all positive -> a number.
 
     -p is the slope of the line through log error over log n with the least sum of squares.
@@ -132,28 +152,6 @@ def observed_order(n, error):  # extra 4.5 (2 points)
     x, y = np.log(n), np.log(error)
     x = x - x.mean()
     return -(x @ y) / (x @ x)
-
-
-def box_resolve(picture, n):  # step 4.6
-    """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
-
-    >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
-    array([[2.5, 6.5]])
-    """
-    height, width, channels = picture.shape
-    rows = picture.reshape(height // n, n, width, channels).mean(1)
-    return rows.reshape(height // n, width // n, n, channels).mean(2)
-
-
-def box_resolve_backward(grad_output, picture, n):  # extra 4.7 (1 point)
-    """Backward of `box_resolve`: grad_output (H, W, C) -> grad_picture (n H, n W, C).
-
-    >>> box_resolve_backward(np.array([[[8.0]]]), np.zeros((2, 2, 1)), 2)[..., 0]
-    array([[2., 2.],
-           [2., 2.]])
-    """
-    # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
-    return (grad_output / n**2).repeat(n, 1).repeat(n, 0)
 
 
 def barycentric_at(px, py, face, clip, faces, width, height):
@@ -182,7 +180,7 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
-def shading_requests(face_index):  # exercise 4.8 (4 points)
+def shading_requests(face_index):  # exercise 4.7 (4 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
     face_index (S, H, W). N pairs in any order -> pixel (N,) = row * W + column, face (N,), and
@@ -196,7 +194,7 @@ def shading_requests(face_index):  # exercise 4.8 (4 points)
     """
     _, height, width = face_index.shape
     pixel = np.arange(height * width, dtype=np.int64).reshape(height, width)
-    face_count = face_index.max(initial=0) + 1
+    face_count = face_index.max() + 1
     seen = face_index >= 0
     pairs = pixel * face_count + face_index  # a number for each pixel and face
     pairs, number = np.unique(pairs[seen], return_inverse=True)
@@ -206,7 +204,7 @@ def shading_requests(face_index):  # exercise 4.8 (4 points)
     return pixel.astype(np.intp), face.astype(np.intp), request
 
 
-def resolve(shade, request, background):  # exercise 4.10 (3 points)
+def resolve(shade, request, background):  # exercise 4.8 (3 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
     shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
@@ -231,7 +229,7 @@ def resolve(shade, request, background):  # exercise 4.10 (3 points)
     return picture.reshape(*request.shape[1:], len(background))
 
 
-def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
+def resolve_backward(grad_picture, shade, request, background):  # exercise 4.10 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
     What `resolve` gathers is scattered. `scatter` of arrays.py is given. A ball gets its colours
@@ -260,13 +258,15 @@ def msaa(clip, faces, width, height, pattern, shade, background):
     if len(pattern) == 0:
         raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
                          "regular_grid(1) for the centre alone")
+    if 0 in (width, height):
+        return np.zeros((height, width, len(background)))
     face_index, _ = rasterize_samples(clip, faces, width, height, pattern)
     pixel, face, request = shading_requests(face_index)
     row, column = np.divmod(pixel, width)
     return resolve(shade(column + 0.5, row + 0.5, face), request, background)
 
 
-def cost(face_index, sample_bytes):  # extra 4.12 (2 points)
+def cost(face_index, sample_bytes):  # extra 4.9 (2 points)
     """What does face_index (S, H, W) cost? -> three integers: samples, shades, bytes.
 
     samples counts all samples of all pixels. shades adds up, over the pixels, how many different

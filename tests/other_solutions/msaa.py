@@ -24,7 +24,7 @@ def centre_sample(clip, offset, width, height):
 def rasterize_samples(clip, faces, width, height, pattern):
     n = len(pattern)
     face_index, depth = np.full((n, height, width), -1), np.full((n, height, width), np.inf)
-    for s, offset in enumerate(np.asarray(pattern) if width and height else ()):
+    for s, offset in enumerate(pattern):
         step = (1 - 2 * offset) / [width, height]  # of ndc, for all vertices
         shear = np.eye(4)
         shear[:2, 3] = step
