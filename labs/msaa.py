@@ -89,7 +89,7 @@ def standard_pattern(count):
 def centre_sample(clip, offset, width, height):  # step 4.4
     """Eq. (4): clip (V, 4) moved so that the sample at offset (2,) comes to its pixel's centre.
 
-    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2, and y alike.
+    -> (V, 4), z and w as they were. On screen x = (x_clip / w + 1) width / 2.
 
     >>> clip = np.array([[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 2.0]])
     >>> centre_sample(clip, np.array([0.25, 1.0]), 8, 4)
@@ -106,8 +106,8 @@ def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.5 (2 p
     """Eq. (4): the face and the depth of every sample, each by your own `rasterize` of lab 2.
 
     clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index (S, height, width), -1 where no face is
-    seen, depth (S, height, width). `centre_sample` is a step on the way. Your bunny's outline
-    becomes smooth by it: `python3 -m course demo --impl labs msaa`.
+    seen, depth (S, height, width). `centre_sample` is a step on the way. Smooth outlines:
+    `python3 -m course demo --impl labs msaa`.
 
     >>> clip = np.array([[-1.0, -1, 0, 1], [0, -1, 0, 1], [0, 3, 0, 1], [-1, 3, 0, 1]])
     >>> faces = np.array([[0, 1, 2], [0, 2, 3]])  # the left half of the picture
@@ -187,7 +187,7 @@ def resolve(shade, request, background):  # exercise 4.8 (3 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
     shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
-    background. All of `python3 -m course demo --impl labs msaa` is drawn by it.
+    background. It draws all of `python3 -m course demo --impl labs msaa`.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]

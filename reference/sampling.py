@@ -189,10 +189,9 @@ def sample_then_blur(picture, step, width=3):
 
 
 def clip_polygon(polygon, a, b, c):  # step 3.9
-    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), or (0, 2).
 
-    Go around it: a vertex inside stays, and an edge that crosses the line adds its crossing. You
-    may start anywhere.
+    A vertex inside stays, and an edge that crosses the line adds its crossing. Start anywhere.
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],

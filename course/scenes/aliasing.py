@@ -18,13 +18,9 @@ def aliasing(labs, out="aliasing", photo=None):
     yield f"{width} x {height} pixels", save(out, "whole", image.to_srgb(whole))
 
     channels = [smaller(labs.sampling, channel) for channel in np.moveaxis(whole, -1, 0)]
-    for name, step_name in (("sampled", "every third pixel"),
-                            ("filtered", "filtered by a box, then sampled"),
-                            ("smeared", "smeared, then sampled"),
-                            ("ideal", "filtered in its spectrum, then sampled"),
-                            ("blurred", "sampled, then blurred")):
+    for name in channels[0]:
         picture = np.stack([channel[name] for channel in channels], -1)
-        yield step_name, save(out, name, enlarged(image.to_srgb(picture), STEP))
+        yield name.replace("_", " "), save(out, name, enlarged(image.to_srgb(picture), STEP))
         size = np.abs(np.fft.fftshift(labs.sampling.spectrum_of(picture.mean(-1))))
         decades = np.log10(np.maximum(size / (size.max() or 1), 1e-5))
         yield "its spectrum", save(out, f"{name}_spectrum", enlarged(1 + decades / 5, STEP))
@@ -56,10 +52,11 @@ def zone_plate(side):
 def smaller(lab3, channel):
     """A channel (H, W) made smaller in five ways: {name: (H / STEP, W / STEP)}."""
     spectrum = lab3.sampled_spectrum(lab3.spectrum_of(channel), STEP, 0.5 / STEP)
-    return {"sampled": channel[::STEP, ::STEP], "ideal": lab3.picture_of(spectrum),
+    return {"sampled": channel[::STEP, ::STEP],
             "smeared": lab3.convolve(channel, STREAK)[::STEP, ::STEP],
             "filtered": lab3.filter_then_sample(channel, STEP),
-            "blurred": lab3.sample_then_blur(channel, STEP)}
+            "filtered_in_its_spectrum": lab3.picture_of(spectrum),
+            "blurred_too_late": lab3.sample_then_blur(channel, STEP)}
 
 
 def pulled(lab3, triangle, coverage, steps):

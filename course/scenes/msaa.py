@@ -29,14 +29,13 @@ def msaa(labs):
 
     ears = np.hstack([image.to_srgb(picture[EARS]) for picture in pictures])
     yield "close up of all three", save("msaa", "close_up", enlarged(ears, 6))
-    yield from recoloured(labs, mesh.icosphere(320), 24)
+    yield from recoloured(labs, *mesh.icosphere(320), 24)
 
 
-def recoloured(labs, ball, size):
+def recoloured(labs, vertices, faces, size):
     """The colours of a ball's faces, and behind it, from size x size pixels that mix them."""
-    vertices, faces = ball
     colours = np.append(0.5 + 0.5 * np.sin(9 * vertices[faces].mean(1)), [BACKGROUND], 0)
-    seen, large = (sampled_ball(labs, ball, side) for side in (size, 16 * size))
+    seen, large = (sampled_ball(labs, vertices, faces, side) for side in (size, 16 * size))
     goal = painted(labs, seen, colours)
     yield (f"a ball of {len(faces)} faces in {size} x {size} pixels",
            save("msaa", "ball", enlarged(image.to_srgb(goal), 16)))
@@ -48,9 +47,8 @@ def recoloured(labs, ball, size):
     yield "colours found in mixed pixels", None, ("0.01", off < 0.01)
 
 
-def sampled_ball(labs, ball, size):
+def sampled_ball(labs, vertices, faces, size):
     """A mesh with 16 samples in each of size x size pixels: pixel, face and request of lab 4."""
-    vertices, faces = ball
     clip = clip_positions(labs, vertices, BUNNY_EYE)
     pattern = labs.msaa.standard_pattern(16)
     face_index, _ = labs.msaa.rasterize_samples(clip, faces, size, size, pattern)

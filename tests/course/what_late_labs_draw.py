@@ -27,12 +27,12 @@ def lab_3(labs):
 
 def lab_4(labs):
     """A ball with four samples in a pixel, and its colours, found in mixed pixels."""
-    vertices, faces = ball = mesh.icosphere(80)
+    vertices, faces = mesh.icosphere(80)
     clip = viewing.clip_positions(labs, vertices, portrait.BUNNY_EYE)
     pattern = labs.msaa.standard_pattern(4)
     yield "a ball, shaded by pixel and face", labs.msaa.msaa(
         clip, faces, 20, 16, pattern, lambda *place: np.stack(place, -1), drawing.BACKGROUND)
-    seen = msaa.sampled_ball(labs, ball, 12)
+    seen = msaa.sampled_ball(labs, vertices, faces, 12)
     goal = msaa.painted(labs, seen, np.append(1 + vertices[faces].mean(1), np.eye(3)[:1], 0))
     yield "a ball with flat colours", goal
     *_, found = msaa.colours_found(labs, seen, goal, len(faces), 3)

@@ -421,18 +421,11 @@ def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count, gradch
 
 
 @exercise("4.9")
-def test_samples_of_a_pixel_that_see_the_same_face_cost_one_shade(impl):
-    """Samples are not sorted, so that a face that comes back is counted twice: only neighbouring
-    (consecutive) samples share a shade. Every sample has its own. Pixels are counted.
-    """
-    assert_equal(impl.cost(np.array([4, 6, 6, 4, 9, 6]).reshape(6, 1, 1), 2), (6, 3, 12))
-
-
-@exercise("4.9")
 def test_the_cost_on_paper(impl):
     """Samples count only where a face is seen, or pixels are counted. Bytes are those of the shades
     or of one sample. Faces are counted in the whole picture. Face 0 is taken for no face (> 0 for
-    >= 0), or the background, -1, is shaded as if it were one. The outputs are in another order.
+    >= 0), or the background, -1, is shaded as if it were one. Samples are not sorted, so that a face
+    that comes back is counted twice. The outputs are in another order.
     """
     assert_equal(impl.cost(FACE_INDEX, 8), (24, 8, 192))
 
