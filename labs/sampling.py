@@ -208,8 +208,8 @@ def polygon_area(polygon):
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
-    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), the given
-    `polygon_area`. The triangle may be clockwise. Your own, without stairs:
+    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), the
+    given `polygon_area`. The triangle may be clockwise. Your own, without stairs:
     `python3 -m course demo --impl labs aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
@@ -251,8 +251,8 @@ def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.12 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
     polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two
-    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both ends of the edge,
-    as in `python3 -m course demo --impl labs aliasing`.
+    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both
+    ends of the edge, as in `python3 -m course demo --impl labs aliasing`.
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> clamped_area_backward(np.array([2.0]), square / 2, np.zeros(1), np.zeros(1))[2]
