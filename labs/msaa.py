@@ -43,7 +43,27 @@ def regular_grid(n):
     return (np.stack([j, i], -1) + 0.5) / n
 
 
-def lattice(count, step):  # exercise 4.2 (2 points)
+def box_resolve(picture, n):  # step 4.1
+    """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
+
+    >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
+    array([[2.5, 6.5]])
+    """
+    raise NotImplementedError("exercise 4.1: box_resolve")
+
+
+def box_resolve_backward(grad_output, picture, n):  # extra 4.2 (1 point)
+    """Backward of `box_resolve`: grad_output (H, W, C) -> grad_picture (n H, n W, C).
+
+    >>> box_resolve_backward(np.array([[[8.0]]]), np.zeros((2, 2, 1)), 2)[..., 0]
+    array([[2., 2.],
+           [2., 2.]])
+    """
+    # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
+    return (grad_output / n**2).repeat(n, 1).repeat(n, 0)
+
+
+def lattice(count, step):  # step 4.3
     """Eq. (3): the lattice of S = count samples with k = step -> (S, 2).
 
     >>> lattice(4, 3)
@@ -52,7 +72,7 @@ def lattice(count, step):  # exercise 4.2 (2 points)
            [0.625, 0.875],
            [0.875, 0.375]])
     """
-    raise NotImplementedError("exercise 4.2: lattice")
+    raise NotImplementedError("exercise 4.3: lattice")
 
 
 def standard_pattern(count):
@@ -66,10 +86,10 @@ def standard_pattern(count):
     return lattice(count, STEPS[count])
 
 
-def centre_sample(clip, offset, width, height):  # exercise 4.3 (3 points)
+def centre_sample(clip, offset, width, height):  # step 4.4
     """Eq. (4): clip (V, 4) moved so that the sample at offset (2,) comes to its pixel's centre.
 
-    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2, and y alike.
+    -> (V, 4), z and w as they were. On screen x = (x_clip / w + 1) width / 2.
 
     >>> clip = np.array([[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 2.0]])
     >>> centre_sample(clip, np.array([0.25, 1.0]), 8, 4)
@@ -79,27 +99,26 @@ def centre_sample(clip, offset, width, height):  # exercise 4.3 (3 points)
     Fine print. A vertex behind the camera (w < 0) obeys the same formula. The offset (1/2, 1/2)
     changes no bit: one sample at the centre is lab 2's picture.
     """
-    raise NotImplementedError("exercise 4.3: centre_sample")
+    raise NotImplementedError("exercise 4.4: centre_sample")
 
 
-def rasterize_samples(clip, faces, width, height, pattern):
-    """Face and depth of every sample: face_index (S, H, W), depth (S, H, W), as of `rasterize`.
+def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.5 (2 points)
+    """Eq. (4): the face and the depth of every sample, each by your own `rasterize` of lab 2.
 
-    clip (V, 4), faces (F, 3), pattern (S, 2), S >= 1. At an edge of two faces each sample belongs
-    to one of them, as the vertices of both move by the same numbers.
+    clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index (S, height, width), -1 where no face is
+    seen, depth (S, height, width). `centre_sample` is a step on the way. Smooth outlines:
+    `python3 -m course demo --impl labs msaa`.
+
+    >>> clip = np.array([[-1.0, -1, 0, 1], [0, -1, 0, 1], [0, 3, 0, 1], [-1, 3, 0, 1]])
+    >>> faces = np.array([[0, 1, 2], [0, 2, 3]])  # the left half of the picture
+    >>> pattern = np.array([[0.2, 0.9], [0.2, 0.4], [0.9, 0.4]])
+    >>> rasterize_samples(clip, faces, 1, 1, pattern)[0].ravel()
+    array([ 1,  0, -1])
     """
-    if len(pattern) == 0:
-        raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
-                         "regular_grid(1) for the centre alone")
-    face_index = np.empty((len(pattern), height, width), int)
-    depth = np.empty(face_index.shape)
-    for s, offset in enumerate(pattern):
-        moved = centre_sample(clip, offset, max(width, 1), max(height, 1))  # it may be empty
-        face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
-    return face_index, depth
+    raise NotImplementedError("exercise 4.5: rasterize_samples")
 
 
-def coverage(face_index):  # exercise 4.4 (1 point)
+def coverage(face_index):
     """Eq. (1), f = 1 on faces, else 0: which fraction of a pixel's samples see a face?
 
     face_index (S, H, W), -1 for no face -> (H, W).
@@ -107,10 +126,10 @@ def coverage(face_index):  # exercise 4.4 (1 point)
     >>> coverage(np.array([[[0, -1]], [[7, 3]]]))
     array([[1. , 0.5]])
     """
-    raise NotImplementedError("exercise 4.4: coverage")
+    return (face_index >= 0).mean(0)
 
 
-def observed_order(n, error):  # extra 4.5 (2 points)
+def observed_order(n, error):  # extra 4.6 (2 points)
     """Eq. (5): which p fits measured errors best? n (M,), error (M,), all positive -> a number.
 
     -p is the slope of the line through log error over log n with the least sum of squares.
@@ -121,26 +140,6 @@ def observed_order(n, error):  # extra 4.5 (2 points)
     x, y = np.log(n), np.log(error)
     x = x - x.mean()
     return -(x @ y) / (x @ x)
-
-
-def box_resolve(picture, n):  # exercise 4.6 (2 points)
-    """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
-
-    >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
-    array([[2.5, 6.5]])
-    """
-    raise NotImplementedError("exercise 4.6: box_resolve")
-
-
-def box_resolve_backward(grad_output, picture, n):  # extra 4.7 (1 point)
-    """Backward of `box_resolve`: grad_output (H, W, C) -> grad_picture (n H, n W, C).
-
-    >>> box_resolve_backward(np.array([[[8.0]]]), np.zeros((2, 2, 1)), 2)[..., 0]
-    array([[2., 2.],
-           [2., 2.]])
-    """
-    # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
-    return (grad_output / n**2).repeat(n, 1).repeat(n, 0)
 
 
 def barycentric_at(px, py, face, clip, faces, width, height):
@@ -169,51 +168,26 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
-def shading_requests_loop(face_index):  # exercise 4.8 (3 points)
+def shading_requests(face_index):  # exercise 4.7 (4 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
     face_index (S, H, W). N pairs in any order -> pixel (N,) = row * W + column, face (N,), and
-    request (S, H, W), the number of each sample's pair, or -1.
+    request (S, H, W), the number of each sample's pair, or -1. How few shades the bunny
+    takes: `python3 -m course demo --impl labs msaa`.
 
-    >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
-    [[[0, -1]], [[0, 2]], [[1, 3]]]
+    >>> shading_requests(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
+    [[[0, -1]], [[0, 3]], [[1, 2]]]
+
+    Fine print. There may be millions of pixels, and of faces: their product needs 64 bits.
     """
-    raise NotImplementedError("exercise 4.8: shading_requests_loop")
+    raise NotImplementedError("exercise 4.7: shading_requests")
 
 
-def shading_requests(face_index):  # extra 4.9 (4 points)
-    """What `shading_requests_loop` returns, in less time than Python needs to visit all samples.
-
-    In most pixels all samples see the same face, or none: such a pixel is one pair or none. Only
-    the others have to be searched for samples that see the same face.
-    """
-    seen = face_index.reshape(len(face_index), -1)  # (S, H W)
-    is_mixed = (seen[1:] != seen[0]).any(0)
-    pixel = np.flatnonzero((seen[0] >= 0) & ~is_mixed)
-    face = seen[0, pixel]
-    request = np.full(seen.shape[1], -1)
-    request[pixel] = np.arange(len(pixel))
-    request = np.tile(request, (len(seen), 1))
-    # A mixed pixel's sample has the request of the last sample there that sees the same face.
-    mixed = np.flatnonzero(is_mixed)
-    seen = seen[:, mixed]
-    last = np.zeros(seen.shape, int)
-    for s in range(1, len(seen)):
-        np.copyto(last, s, where=seen == seen[s])
-    s, k = np.nonzero((last == np.arange(len(seen))[:, None]) & (seen >= 0))
-    number = np.full(seen.shape, -1)
-    number[s, k] = len(pixel) + np.arange(len(k))
-    request[:, mixed] = np.take_along_axis(number, last, 0)
-    pixel = np.concatenate([pixel, mixed[k]])
-    face = np.concatenate([face, seen[s, k]])
-    return pixel, face, request.reshape(face_index.shape)
-
-
-def resolve(shade, request, background):  # exercise 4.10 (2 points)
+def resolve(shade, request, background):  # exercise 4.8 (3 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
     shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
-    background. Your own smooth edges: `python3 -m course demo --impl labs msaa`.
+    background. It draws all of `python3 -m course demo --impl labs msaa`.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
@@ -223,13 +197,14 @@ def resolve(shade, request, background):  # exercise 4.10 (2 points)
     even if it comes from several requests. A sum divided by S would be rounded, and a seam would
     show between two faces. Nearly equal colours are mixed like others. N may be 0.
     """
-    raise NotImplementedError("exercise 4.10: resolve")
+    raise NotImplementedError("exercise 4.8: resolve")
 
 
-def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
+def resolve_backward(grad_picture, shade, request, background):  # exercise 4.10 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered. `scatter` of arrays.py is given.
+    What `resolve` gathers is scattered. `scatter` of arrays.py is given. A ball gets its colours
+    back from a few pixels by it: `python3 -m course demo --impl labs msaa`.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))
@@ -238,7 +213,7 @@ def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11
 
     Fine print. N may be 0: nothing is seen.
     """
-    raise NotImplementedError("exercise 4.11: resolve_backward")
+    raise NotImplementedError("exercise 4.10: resolve_backward")
 
 
 def msaa(clip, faces, width, height, pattern, shade, background):
@@ -247,13 +222,18 @@ def msaa(clip, faces, width, height, pattern, shade, background):
     shade and background: as for `supersample`, but shade gets the centres of pixels. A face may
     miss the centre of a pixel that it covers in part, see `barycentric_at`.
     """
+    if len(pattern) == 0:
+        raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
+                         "regular_grid(1) for the centre alone")
+    if 0 in (width, height):
+        return np.zeros((height, width, len(background)))
     face_index, _ = rasterize_samples(clip, faces, width, height, pattern)
     pixel, face, request = shading_requests(face_index)
     row, column = np.divmod(pixel, width)
     return resolve(shade(column + 0.5, row + 0.5, face), request, background)
 
 
-def cost(face_index, sample_bytes):  # extra 4.12 (2 points)
+def cost(face_index, sample_bytes):  # extra 4.9 (2 points)
     """What does face_index (S, H, W) cost? -> three integers: samples, shades, bytes.
 
     samples counts all samples of all pixels. shades adds up, over the pixels, how many different

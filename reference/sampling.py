@@ -22,7 +22,7 @@ Sources: notes on GAMES101 lecture 6, Sutherland and Hodgman 1974 (clipping).
 import numpy as np
 
 
-def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
+def alias_frequency(frequency, rate):  # step 3.1
     """Eq. (1): the slowest frequency that has the same samples.
 
     frequency (...), rate, a number -> (...): negative where a wheel seems to turn backwards.
@@ -35,7 +35,7 @@ def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
     return frequency - rate * np.floor(frequency / rate + 0.5)
 
 
-def dft_matrix(n):  # exercise 3.2 (1 point)
+def dft_matrix(n):  # step 3.2
     """Eq. (2) as a complex matrix D (n, n): D @ f is the spectrum of n samples f (n,).
 
     >>> dft_matrix(4)[:2].round(9) + 0.0
@@ -80,7 +80,7 @@ def frequencies(n):
     return np.where(2 * k < n, k, k - n) / n
 
 
-def band_pass(picture, low, high):  # extra 3.6 (2 points)
+def band_pass(picture, low, high):  # extra 3.3 (2 points)
     """The part of a picture whose frequencies have a length low <= |(f_y, f_x)| < high.
 
     picture (H, W) -> (H, W). A low-pass filter has low = 0, a high-pass filter has high = np.inf.
@@ -93,7 +93,7 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
     return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
 
 
-def convolve(picture, kernel):  # exercise 3.7 (3 points)
+def convolve(picture, kernel):  # exercise 3.4 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
     h and w are odd, and kernel[h // 2, w // 2] is g_0.
@@ -112,7 +112,7 @@ def convolve(picture, kernel):  # exercise 3.7 (3 points)
     return total
 
 
-def convolve_by_spectrum(picture, kernel):  # extra 3.8 (2 points)
+def convolve_by_spectrum(picture, kernel):  # extra 3.5 (2 points)
     """Eq. (4): `convolve` as a product of spectra, for h <= H and w <= W.
 
     First make a picture (H, W) of the kernel, with its middle at [0, 0] and the rest around it.
@@ -127,7 +127,7 @@ def convolve_by_spectrum(picture, kernel):  # extra 3.8 (2 points)
     return picture_of(spectrum_of(picture) * spectrum_of(centred))
 
 
-def box_spectrum(width, n):  # extra 3.9 (2 points)
+def box_spectrum(width, n):  # extra 3.6 (2 points)
     """Eq. (5): the spectrum (n,), real, of a box filter on n samples. It is 1 at frequency 0.
 
     The box is 1 / width at width samples, and its middle is at 0. width is odd, and at most n.
@@ -139,20 +139,24 @@ def box_spectrum(width, n):  # extra 3.9 (2 points)
     return np.concatenate([[1.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
 
 
-def sampled_spectrum(spectrum, step):  # exercise 3.10 (4 points)
-    """Eq. (6) along y and along x: the spectrum of picture[::step, ::step].
+def sampled_spectrum(spectrum, step, limit):  # exercise 3.7 (3 points)
+    """Eq. (6) along y and along x: the spectrum of every step-th pixel, after an ideal filter.
 
-    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W.
+    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W. The filter
+    drops what has |f_y| >= limit or |f_x| >= limit, see `frequencies`. np.inf drops nothing. Rings
+    without false ones: `python3 -m course demo --impl labs aliasing`.
 
-    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
+    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2, np.inf)
     array([[3.5, 0.5]])
     """
     height, width = spectrum.shape
-    copies = spectrum.reshape(step, height // step, step, width // step)
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    kept = np.where(np.maximum(f_y, f_x) < limit, spectrum, 0)
+    copies = kept.reshape(step, height // step, step, width // step)
     return copies.sum((0, 2)) / step**2
 
 
-def folded_energy(spectrum, step):  # extra 3.11 (2 points)
+def folded_energy(spectrum, step):  # extra 3.8 (2 points)
     """How much of a picture is too fast for every step-th sample? It comes back as aliasing.
 
     spectrum (H, W) -> the mean square over the pixels of the part with |f_y| or |f_x| of at least
@@ -184,11 +188,10 @@ def sample_then_blur(picture, step, width=3):
     return convolve(picture[::step, ::step], box_filter(width))
 
 
-def clip_polygon(polygon, a, b, c):  # exercise 3.12 (4 points)
-    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
+def clip_polygon(polygon, a, b, c):  # step 3.9
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), or (0, 2).
 
-    Go around it: a vertex inside stays, and an edge that crosses the line adds its crossing. You
-    may start anywhere.
+    A vertex inside stays, and an edge that crosses the line adds its crossing. Start anywhere.
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
@@ -220,25 +223,11 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
-    """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
-
-    >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    >>> polygon_area_backward(np.array(2.0), square)[2]  # its upper right corner
-    array([1., 1.])
-    """
-    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area does not depend on
-    # where it is measured from, so the first point is no exception.
-    x, y = polygon[..., 0], polygon[..., 1]
-    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
-    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
-    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
-
-
-def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
+def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
-    Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
+    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), the
+    given `polygon_area`. The triangle may be clockwise. Your own, without stairs:
     `python3 -m course demo --impl labs aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
@@ -255,14 +244,12 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     return coverage
 
 
-def cuts(polygon, x, y):  # extra 3.16 (2 points)
+def cuts(polygon, x, y):
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
     x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
     vertex n to the next, p + t (q - p). Its t are 0, 1 and the crossings with x, x + 1, y, y + 1.
-
-    Fine print. If an edge does not cross a line, or runs along it, t is any number in [0, 1], but
-    never NaN.
+    If an edge does not cross a line, or runs along it, t is some number in [0, 1].
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -272,7 +259,7 @@ def cuts(polygon, x, y):  # extra 3.16 (2 points)
     return np.sort(t)
 
 
-def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
+def clamped_area(polygon, x, y):  # extra 3.11 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
     x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
@@ -285,10 +272,16 @@ def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # extra 3.18 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.12 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    A piece between two neighbouring `cuts` lies inside a square if its middle does.
+    polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two
+    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both
+    ends of the edge, as in `python3 -m course demo --impl labs aliasing`.
+
+    >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    >>> clamped_area_backward(np.array([2.0]), square / 2, np.zeros(1), np.zeros(1))[2]
+    array([0.5, 0.5])
 
     Fine print. A piece along a side that two squares share counts in one of them. It is inside if
     x <= middle < x + 1, and y alike.

@@ -7,8 +7,8 @@
     hull               where a search for a shape begins
     portrait           the bunny, as pictures
     small              squares on pixels' centres, a ball cut open: pixel by pixel
-    aliasing           a zone plate made smaller in three ways
-    msaa               a silhouette with more and more samples in a pixel
+    aliasing           a zone plate made smaller in five ways, a triangle that is pulled
+    msaa               more and more samples in a pixel, colours found in mixed pixels
     reflections        what a mirror shows: directions, footprints, surroundings
     fit_vertices       a triangle finds its place from the colours inside of it
     fit_triangle       a triangle finds its template by its edges alone

@@ -1,7 +1,8 @@
-"""The bunny's silhouette with more and more samples in a pixel (lab 4)."""
+"""The bunny with more and more samples in a pixel, and colours found in mixed pixels (lab 4)."""
 import numpy as np
 
 from ..given import image, mesh
+from ..given.arrays import scatter
 from .drawing import BACKGROUND, SIZE, enlarged, lit, save, size_in_words, unit_bunny
 from .portrait import BUNNY_EYE
 from .viewing import clip_positions
@@ -10,7 +11,7 @@ EARS = slice(340, 420), slice(150, 230)  # rows and columns for a close up of th
 
 
 def msaa(labs):
-    """The bunny's silhouette with 1, 4 and 16 samples in a pixel (lab 4)."""
+    """The bunny with 1, 4 and 16 samples in a pixel, and a ball's colours from 24 x 24 (lab 4)."""
     vertices, faces = unit_bunny()
     clip = clip_positions(labs, vertices, BUNNY_EYE)
     background = image.to_linear(BACKGROUND)
@@ -28,6 +29,51 @@ def msaa(labs):
 
     ears = np.hstack([image.to_srgb(picture[EARS]) for picture in pictures])
     yield "close up of all three", save("msaa", "close_up", enlarged(ears, 6))
+    yield from recoloured(labs, *mesh.icosphere(320), 24)
+
+
+def recoloured(labs, vertices, faces, size):
+    """The colours of a ball's faces, and behind it, from size x size pixels that mix them."""
+    colours = np.append(0.5 + 0.5 * np.sin(9 * vertices[faces].mean(1)), [BACKGROUND], 0)
+    seen, large = (sampled_ball(labs, vertices, faces, side) for side in (size, 16 * size))
+    goal = painted(labs, seen, colours)
+    yield (f"a ball of {len(faces)} faces in {size} x {size} pixels",
+           save("msaa", "ball", enlarged(image.to_srgb(goal), 16)))
+    for step, found in enumerate(colours_found(labs, seen, goal, len(faces), 300)):
+        if step in (0, 10, 300):
+            off = np.abs(found - colours)[np.unique(seen[1])].mean()
+            yield (f"step {step}: the colours that are seen are off by {off:.3f}",
+                   save("msaa", f"step_{step}", image.to_srgb(painted(labs, large, found))))
+    yield "colours found in mixed pixels", None, ("0.01", off < 0.01)
+
+
+def sampled_ball(labs, vertices, faces, size):
+    """A mesh with 16 samples in each of size x size pixels: pixel, face and request of lab 4."""
+    clip = clip_positions(labs, vertices, BUNNY_EYE)
+    pattern = labs.msaa.standard_pattern(16)
+    face_index, _ = labs.msaa.rasterize_samples(clip, faces, size, size, pattern)
+    return labs.msaa.shading_requests(face_index)
+
+
+def painted(labs, seen, colours):
+    """A `sampled_ball` of F faces in colours (F + 1, 3), the last of them behind it: a picture."""
+    _, face, request = seen
+    return labs.msaa.resolve(colours[face], request, colours[-1])
+
+
+def colours_found(labs, seen, goal, count, steps):
+    """Yields colours (count + 1, 3) before each step of descent to a picture, and at the end."""
+    _, face, request = seen
+    samples = np.bincount(np.append(face, count)[request].ravel(), minlength=count + 1)
+    area = np.maximum(samples, 1)[:, None] / len(request)  # in pixels
+    colours = np.full((count + 1, 3), 0.5)
+    for _ in range(steps):
+        yield colours
+        error = painted(labs, seen, colours) - goal
+        grad_shade, behind = labs.msaa.resolve_backward(error, colours[face], request, colours[-1])
+        gradient = np.append(scatter(grad_shade, face, count), [behind], 0)
+        colours = colours - gradient / area
+    yield colours
 
 
 def shader(labs, clip, vertices, faces):

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
-from what_late_labs_draw import lab_15, lab_16, lab_17
+from what_late_labs_draw import lab_3, lab_4, lab_15, lab_16, lab_17
 
 from course.given import compiled, faster
 from course.given.whose import Labs
@@ -18,6 +18,7 @@ from labkit.upkeep import mistakes
 DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradients",
                    "rasterizer_gradients", "antialiasing", "outlines", "outline_walk",
                    "inverse_rendering", "pipeline"),
+           lab_3: ("sampling",), lab_4: ("msaa",),
            surfaces: ("regularization", "remeshing"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),
            lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}

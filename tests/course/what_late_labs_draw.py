@@ -1,17 +1,42 @@
-"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4 and 15 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh
 from course.scenes import (
+    aliasing,
     drawing,
     fit_volume,
     hole,
+    msaa,
     portrait,
     reconstruct,
     representations,
     tiles,
     viewing,
 )
+
+
+def lab_3(labs):
+    """A zone plate made smaller, and a triangle that is pulled to its place."""
+    yield from aliasing.smaller(labs.sampling, aliasing.zone_plate(39)[..., 0]).items()
+    coverage = labs.sampling.pixel_coverage_loop(9 * aliasing.GOAL, 9, 9)
+    yield "exact coverage", coverage
+    *_, triangle = aliasing.pulled(labs.sampling, 9 * aliasing.START, coverage, 5)
+    yield "a triangle pulled to its place", triangle
+
+
+def lab_4(labs):
+    """A ball with four samples in a pixel, and its colours, found in mixed pixels."""
+    vertices, faces = mesh.icosphere(80)
+    clip = viewing.clip_positions(labs, vertices, portrait.BUNNY_EYE)
+    pattern = labs.msaa.standard_pattern(4)
+    yield "a ball, shaded by pixel and face", labs.msaa.msaa(
+        clip, faces, 20, 16, pattern, lambda *place: np.stack(place, -1), drawing.BACKGROUND)
+    seen = msaa.sampled_ball(labs, vertices, faces, 12)
+    goal = msaa.painted(labs, seen, np.append(1 + vertices[faces].mean(1), np.eye(3)[:1], 0))
+    yield "a ball with flat colours", goal
+    *_, found = msaa.colours_found(labs, seen, goal, len(faces), 3)
+    yield "its colours, found", found
 
 
 def lab_15(labs):

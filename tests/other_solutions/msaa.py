@@ -3,6 +3,8 @@ import math
 
 import numpy as np
 
+from reference import rasterization
+
 
 def lattice(count, step):
     pattern, row = [], 0
@@ -19,11 +21,22 @@ def centre_sample(clip, offset, width, height):
     return moved
 
 
+def rasterize_samples(clip, faces, width, height, pattern):
+    n = len(pattern)
+    face_index, depth = np.full((n, height, width), -1), np.full((n, height, width), np.inf)
+    for s, offset in enumerate(pattern):
+        step = (1 - 2 * offset) / [width, height]  # of ndc, for all vertices
+        shear = np.eye(4)
+        shear[:2, 3] = step
+        face_index[s], depth[s] = rasterization.rasterize(clip @ shear.T, faces, width, height)
+    return face_index, depth
+
+
 def box_resolve(picture, n):
     return sum(picture[i::n, j::n] for i in range(n) for j in range(n)) / n**2
 
 
-def shading_requests_loop(face_index):
+def shading_requests(face_index):
     numbers, request = {}, np.full(face_index.shape, -1)
     width = face_index.shape[2]
     for s, i, j in np.ndindex(face_index.shape):

@@ -94,6 +94,12 @@ def test_a_regular_grid_is_a_finer_picture(n):
     np.testing.assert_allclose(depth, by_sample(fine_depth), rtol=0, atol=1e-12)
 
 
+def test_coverage_is_the_share_of_samples_that_see_a_face():
+    """Face 0 counts as no face, or -1 as one."""
+    face_index = np.random.default_rng(2).integers(-1, 3, (5, 3, 4))
+    np.testing.assert_array_equal(msaa.coverage(face_index), sum(face_index > -1) / 5)
+
+
 # --- seams -------------------------------------------------------------------------------------
 
 QUAD = np.array([[0, 1, 2], [0, 2, 3]])  # two faces that share the edge from 0 to 2
