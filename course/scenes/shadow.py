@@ -19,7 +19,7 @@ def shadow(labs):
     face_index, points, normals = lab14.visible_points(vertices, faces, camera, SIZE, SIZE)
     yield "what the eye sees, as points in the world", None
     distance_map = lab14.depth_map(vertices, faces, light, 2 * SIZE)
-    hard = lab14.hard_shadow(points, normals, light, distance_map, 2e-3)
+    hard = lab14.hard_shadow(points, normals, light, distance_map, 2e-3, most=0.1)
     yield "hard shadow: the light's map, comparison", None
     soft = labs.soft_shadows.soft_shadow(points, normals, light, distance_map, 0.2, 1e-2,
                                          ray_casting.disc_offsets(32))

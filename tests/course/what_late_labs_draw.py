@@ -1,7 +1,7 @@
-"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 14 to 17: what a mistake must show in."""
 import numpy as np
 
-from course.given import mesh
+from course.given import mesh, ray_casting
 from course.scenes import (
     drawing,
     fit_volume,
@@ -9,9 +9,29 @@ from course.scenes import (
     portrait,
     reconstruct,
     representations,
+    shadow,
     tiles,
     viewing,
 )
+
+
+def shadows(labs):
+    """A ball's shadow, hard and soft, and the begin of a search for its light."""
+    shape = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4)
+    light = labs.lights.point_light(shadow.PLACE, shape[0])
+    camera = viewing.clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2])
+    _, *seen = labs.shadow_mapping.visible_points(*shape, camera, 32, 32)
+    yield "what the eye sees", np.hstack(seen)
+    distance_map = labs.shadow_mapping.depth_map(*shape, light, 64)
+    yield "the light's map", distance_map
+    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*seen, light, distance_map, 2e-3,
+                                                             most=0.1)
+    yield "the soft shadow", labs.soft_shadows.soft_shadow(*seen, light, distance_map, 0.4, 1e-2,
+                                                           ray_casting.disc_offsets(16))
+    settings, (_, points, target) = labs.variance_shadows.Settings(48, 3, 1e-3), shadow.given_shadow(
+        labs, *shape, 16)
+    yield "the search for the light", labs.variance_shadows.fit_position(
+        target, points, *shape, shadow.GUESS, settings, [0.1, 0.05, 0.02])
 
 
 def lab_15(labs):

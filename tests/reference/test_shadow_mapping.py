@@ -5,7 +5,7 @@ import shadow_scenes
 from shadow_scenes import LIGHTS, PLACE, camera, each_light, refused, scene, small_scene
 
 from course.given import mesh, ray_casting
-from reference import lights, shadow_mapping
+from reference import lights, shadow_mapping, soft_shadows
 
 
 def blocked(origin, toward, a, b, c):
@@ -114,11 +114,11 @@ def test_what_does_not_fit_a_shadow_is_one_sentence():
     refused("names vertex", shadow_mapping.depth_map, vertices, outside, light, 8)
     refused("names vertex", ray_casting.ray_cast, points, vertices, outside, light)
     refused("finite points", ray_casting.ray_cast, lost, vertices, faces, light)
-    refused("finite points", shadow_mapping.receivers, lost, lost, light, 8)
+    refused("finite points", soft_shadows.receivers, lost, lost, light, 8)
     refused("finite points", shadow_mapping.hard_shadow, lost, lost, light, distance_map, 1e-3)
-    refused("before the light", shadow_mapping.receivers, points + 2 * PLACE, normals, light, 8)
-    refused("before the light", shadow_mapping.receivers, PLACE[None], normals[:1], light, 8)
-    refused("one normal for each point", shadow_mapping.receivers, points, normals[:3], light, 8)
+    refused("before the light", soft_shadows.receivers, points + 2 * PLACE, normals, light, 8)
+    refused("before the light", soft_shadows.receivers, PLACE[None], normals[:1], light, 8)
+    refused("one normal for each point", soft_shadows.receivers, points, normals[:3], light, 8)
     refused("at least one cell", ray_casting.ray_cast, points, vertices, faces, light, 0)
     refused("expects a point light", ray_casting.area_light_truth, points, vertices, faces, sun,
             0.1, offsets)
@@ -141,7 +141,7 @@ def test_a_map_without_texels_is_one_sentence(size):
     with pytest.raises(ValueError, match=f"depth_map expects a whole number .* 1, got {size}"):
         shadow_mapping.depth_map(vertices, faces, light, size)
     with pytest.raises(ValueError, match=f"receivers expects a whole number .* 1, got {size}"):
-        shadow_mapping.receivers(points, normals, light, size)
+        soft_shadows.receivers(points, normals, light, size)
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (8, 0), (4, 8), (8,)])

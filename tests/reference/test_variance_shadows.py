@@ -41,17 +41,18 @@ def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
                                                  -light.rotation @ (position - light.position))
         q = shadow_mapping.to_light(points, position, light.rotation)
         uv = shadow_mapping.map_position(q, light.clip_from_light, size, size) / size
-        blurred = variance_shadows.box_blur(moments, radius)
-        return -q[:, 2], *mipmapping.texture(blurred, uv, boundary="clamp").T, uv
+        return moments, np.ascontiguousarray(uv), -q[:, 2]
 
     def forward(position):
-        return variance_shadows.chebyshev(*looked_up(position)[:3], 1e-3)
+        return variance_shadows.lit_by_moments(*looked_up(position), radius, 1e-3)
 
     def backward(grad_lit, position):
         return variance_shadows.variance_shadow_backward(grad_lit, buffers, points, light, settings)
 
     def decisions(position):
-        distance, mean, mean_square, uv = looked_up(position)
+        moments, uv, distance = looked_up(position)
+        blurred = variance_shadows.box_blur(moments, radius)
+        mean, mean_square = mipmapping.texture(blurred, uv, boundary="clamp").T
         return distance > mean, mean_square - mean**2 > 1e-3, np.floor(uv * size - 0.5)
 
     assert (forward(light.position) < 0.5).any()
