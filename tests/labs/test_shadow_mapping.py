@@ -116,7 +116,7 @@ def test_a_place_lies_in_the_texel_of_its_floor(impl):
 @exercise("14.4")
 def test_outside_the_map_nothing_is_stored(impl, rng):
     """It is read on the other side, or at the border; -0.3 is cut to 0. x ends with the height."""
-    place = rng.uniform(-1, [5, 4], (80, 2))
+    place = np.concatenate([rng.uniform(-1, [5, 4], (80, 2)), [[4.0, 1.0], [1.0, 3.0]]])
     held = {(i, j): MAP[i, j] for i, j in np.ndindex(MAP.shape)}
     assert_close(impl.stored_distance(MAP, place),
                  [held.get((int(y // 1), int(x // 1)), np.inf) for x, y in place])

@@ -63,7 +63,7 @@ def around(rng, count=40):
 
 FLAT = np.zeros((5, 2))
 CROSS = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])  # left, right, below, there
-WALLS = np.array([[3.0, 3.0, 9.0, 9.0, 2.0], [4.0, 3.0, 9.0, 1.0, 9.0]])
+WALLS = np.array([[3.0, 3.0, 9.0, 9.0, 2.0], [5.0, 3.0, 9.0, 1.0, 9.0]])
 OVER_WALLS = (np.array([[1.5, 1.5], [2.5, 1.5], [4.5, 0.5], [2.25, 0.5], [0.5, 1.5]]),
               np.array([5.0, 5.0, 5.0, 8.0, 5.0]))  # place, distance
 
@@ -75,8 +75,8 @@ def test_shares_on_paper(impl):
     step counts, or each starts from the last place. Places do not move. Outside is dark.
     """
     got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS, np.array([1.0, 1, 1, 2, 1]))
-    # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9; none, 3, 3, 4.
-    assert_close(got, [0.25, 0.5, 0.75, 0.5, 0.25])
+    # The map holds 5, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9; none, 3, 3, 5.
+    assert_close(got, [0.5, 0.5, 0.75, 0.5, 0.5])
 
 
 @exercise("14.8")
@@ -110,8 +110,8 @@ def test_where_nothing_blocks_all_light_comes(impl, rng):
     """
     distance_map = np.full((6, 9), 5.0)
     distance_map[5, 8] = 2.0
-    place, distance = rng.uniform(0, 3, (20, 2)), rng.uniform(4, 5, 20)
-    got = impl.percentage_closer_soft(distance_map, place, distance, np.zeros((20, 2)), 0.1,
+    place, distance = rng.uniform(0, 3, (20, 2)), np.minimum(rng.uniform(4, 6, 20), 5.0)
+    got = impl.percentage_closer_soft(distance_map, place, distance, np.zeros((20, 2)), 0.0,
                                       CROSS, 2.0)
     assert_close(got, np.ones(20))
 
@@ -153,7 +153,8 @@ def test_b_is_the_mean_of_the_blockers_around(impl, rng):
     sum is divided by all places. Blockers are sought at one place, or within the lamp's radius.
     """
     distance_map, place, *_, offsets, _ = around(rng)
-    given = distance_map, place, rng.uniform(4, 7, 40), np.zeros((40, 2)), np.zeros(40), offsets
+    distance = rng.integers(8, 14, 40) / 2                # as far as what is stored, now and then
+    given = np.round(2 * distance_map) / 2, place, distance, np.zeros((40, 2)), np.zeros(40), offsets
     assert_close(impl.percentage_closer_soft(*given, 6.0), soft(*given, 6.0))
 
 
@@ -161,4 +162,5 @@ def test_b_is_the_mean_of_the_blockers_around(impl, rng):
 def test_each_receiver_has_its_bias_and_its_plane(impl, rng):
     """The search takes the distance of the receiver itself at each place, or knows no bias."""
     *given, _ = around(rng)
+    given[2] -= 1.5 * (np.arange(40) % 2)                 # some lie before all that is stored
     assert_close(impl.percentage_closer_soft(*given, 5.0), soft(*given, 5.0))

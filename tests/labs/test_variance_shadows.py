@@ -1,7 +1,6 @@
 """What the exercises of lab 14 must do: moments, their blur, and a map that moves."""
-import math
-
 import numpy as np
+from scipy.ndimage import map_coordinates
 from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
 from labkit.checks import assert_close, assert_picture, exercise
@@ -78,44 +77,35 @@ def test_two_flat_surfaces_have_their_share(impl, rng):
     assert_close(impl.lit_by_moments(moments, uv, np.full(30, 4.0), 3, 1e-9), share, atol=1e-8)
 
 
+OUTSIDE = np.array([[-0.01, 0.5], [1.0, 0.5], [0.5, -0.2], [0.5, 1.0], [0.0, 0.0], [0.99, 0.99]])
+
+
 @exercise("14.11")
 def test_outside_the_map_all_is_lit(impl):
     """It goes on there as at the border, or at the other side; the border itself is off by one."""
-    uv = np.array([[-0.01, 0.5], [1.0, 0.5], [0.5, -0.2], [0.5, 1.0], [0.0, 0.0], [0.99, 0.99]])
-    got = impl.lit_by_moments(np.full((2, 3, 2), [2.0, 5.0]), uv, np.full(6, 5.0), 1, 0.1)
+    got = impl.lit_by_moments(np.full((2, 3, 2), [2.0, 5.0]), OUTSIDE, np.full(6, 5.0), 1, 0.1)
     assert_close(got, [1.0, 1.0, 1.0, 1.0, 0.1, 0.1])
 
 
-def tap(picture, u, v):
-    """A picture (H, W, C), read bilinearly, as if its border went on."""
-    height, width = picture.shape[:2]
-    x, y = u * width - 0.5, v * height - 0.5
-    j, i = math.floor(x), math.floor(y)
-    return sum((1 - abs(x - column)) * (1 - abs(y - row))
-               * picture[min(max(row, 0), height - 1), min(max(column, 0), width - 1)]
-               for row in (i, i + 1) for column in (j, j + 1))
-
-
-def means(moments, uv, radius):
-    """The blurred moments (N, 2) at uv (N, 2)."""
+def means(moments, uv, radius=1):
+    """The blurred moments, read at uv (N, 2) as if the border of the map went on: each (N,)."""
     blurred = each_square(moments, radius, lambda part: part.mean((0, 1)))
-    return np.array([tap(blurred, *place) for place in uv])
+    at = (uv * [moments.shape[1], moments.shape[0]] - 0.5).T[::-1]
+    return [map_coordinates(one, at, order=1, mode="nearest") for one in np.moveaxis(blurred, -1, 0)]
 
 
-def share(moments, uv, distance, radius=1, least=0.3):
-    """Eqs. (8) and (9), number by number."""
-    found = []
-    for d, (a, square), place in zip(distance, means(moments, uv, radius), uv, strict=True):
-        v = max(square - a * a, least)
-        found.append(v / (v + (d - a)**2) if d > a and 0 <= min(place) and max(place) < 1 else 1.0)
-    return np.array(found)
+def share(moments, uv, distance):
+    """Eqs. (8) and (9) within the map."""
+    mean, square = means(moments, uv)
+    variance = np.where(square - mean**2 > 0.3, square - mean**2, 0.3)
+    return np.where(distance > mean, variance / (variance + (distance - mean)**2), 1.0)
 
 
 def a_map(rng):
-    """Moments of a map, of which a part is flat, places on it and beside it, distances there."""
+    """Moments of a map, of which a part is flat, places on it, distances there."""
     distance_map = rng.uniform(1, 4, (5, 7))
     distance_map[:, 4:] = 2.0
-    return (np.stack([distance_map, distance_map**2], -1), rng.uniform(-0.2, 1.2, (40, 2)),
+    return (np.stack([distance_map, distance_map**2], -1), rng.uniform(0, 1, (40, 2)),
             rng.uniform(1.5, 5, 40))
 
 
@@ -153,16 +143,24 @@ def test_a_floored_variance_has_no_gradient(impl):
     assert_close(moments, [[[4.0, 0.0], [8.0, 0.0], [-18.0, 4.0], [2.0, 0.0]]])
 
 
+@exercise("14.12")
+def test_outside_the_map_there_is_no_gradient(impl):
+    """Receivers outside of it hand a gradient on; the border itself is off by one."""
+    moments, uv, distance = impl.lit_by_moments_backward(
+        np.full(6, 50.0), np.full((2, 3, 2), [2.0, 5.0]), OUTSIDE, np.full(6, 5.0), 1, 0.1)
+    assert_close(distance, [0.0, 0.0, 0.0, 0.0, -3.0, -3.0])
+    assert_close(moments.sum((0, 1)), [-30.0, 9.0])
+
+
 def decided(moments, uv, distance):
-    """Where `share` has a step or a bend: texels, the border, the floor, the near side."""
-    mean, square = means(moments, uv, 1).T
-    return (np.floor(uv * [7, 5] - 0.5), (uv >= 0) & (uv < 1), square - mean**2 > 0.3,
-            distance > mean)
+    """Where `share` has a bend: at texels, the floor, the near side."""
+    mean, square = means(moments, uv)
+    return np.floor(uv * [7, 5] - 0.5), square - mean**2 > 0.3, distance > mean
 
 
 @exercise("14.12")
 def test_the_gradient_by_the_distance_is_a_central_difference(impl, rng, gradcheck):
-    """Receivers outside the map have a gradient; a variance under the floor is taken as it is."""
+    """A variance under the floor is taken as it is; the quotient rule is cut short."""
     gradcheck(share, lambda grad, *given: impl.lit_by_moments_backward(grad, *given, 1, 0.3)[2],
               a_map(rng), differentiable=[2], decisions=decided, name="lit_by_moments")
 
@@ -176,7 +174,7 @@ def test_the_gradient_by_the_place_is_a_central_difference(impl, rng, gradcheck)
 
 @exercise("14.12")
 def test_the_gradient_by_the_moments_is_a_central_difference(impl, rng, gradcheck):
-    """The blur's way back is left out, or is a blur; receivers outside the map count."""
+    """The blur's way back is left out, or is a blur; the look-up's is left out."""
     gradcheck(share, lambda grad, *given: impl.lit_by_moments_backward(grad, *given, 1, 0.3)[0],
               a_map(rng), differentiable=[0], decisions=decided, name="lit_by_moments")
 
