@@ -41,10 +41,11 @@ class Settings(NamedTuple):
 class ShadowBuffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
-    distance_map (S, S), and for each point q (N, 3) and uv (N, 2) on the map.
+    distance_map (S, S), its moments (S, S, 2), and for each point q (N, 3) and uv (N, 2) on the map.
     """
 
     distance_map: np.ndarray
+    moments: np.ndarray
     q: np.ndarray
     uv: np.ndarray
 
@@ -238,11 +239,12 @@ def variance_shadow(points, vertices, faces, light, settings):
     require_settings(settings)
     size, *filtered = settings
     distance_map = closed_map(vertices, faces, light, size)
+    moments = moments_of(distance_map)
     q = shadow_mapping.before_light(points, light)
     place = shadow_mapping.map_position(q, light.clip_from_light, size, size)
     uv = np.ascontiguousarray(place) / size
-    lit = lit_by_moments(moments_of(distance_map), uv, -q[:, 2], *filtered)
-    return lit, ShadowBuffers(distance_map, q, uv)
+    lit = lit_by_moments(moments, uv, -q[:, 2], *filtered)
+    return lit, ShadowBuffers(distance_map, moments, q, uv)
 
 
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):
@@ -257,9 +259,9 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     # Two ways from q to the shadow, read upwards: the receivers' places and distances (9), (2), and
     # the moments of the map (10). When the light moves, all points of its frame move the other way.
     size, *filtered = settings
-    distance_map, q, uv = buffers
+    distance_map, moments, q, uv = buffers
     grad_moments, grad_uv, grad_distance = lit_by_moments_backward(
-        grad_lit, moments_of(distance_map), uv, -q[:, 2], *filtered)
+        grad_lit, moments, uv, -q[:, 2], *filtered)
     grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
                                                   size)
     grad_q[:, 2] -= grad_distance
