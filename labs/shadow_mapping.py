@@ -120,8 +120,7 @@ def distance_of_depth(depth, clip_from_light):  # extra 14.3 (2 points)
 def stored_distance(distance_map, place):  # step 14.4
     """What the map holds at the places (x, y): its texel [floor y, floor x] -> (N,).
 
-    distance_map (H, W), place (N, 2). Outside the map, that is unless 0 <= x < W and 0 <= y < H, it
-    is np.inf.
+    distance_map (H, W), place (N, 2). Unless 0 <= x < W and 0 <= y < H: np.inf.
 
     >>> distance_map = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
     >>> stored_distance(distance_map, np.array([[0.9, 0.1], [2.0, 1.9], [2.5, 2.0], [-0.1, 1.0]]))
@@ -154,9 +153,9 @@ def hard_shadow(points, normals, light, distance_map,  # exercise 14.6 (4 points
                 constant, factor=1.0, most=np.inf):
     """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
 
-    normals (N, 3), of unit length, are those of their planes, in the world. distance_map (S, S) is
-    the Light's. The bias is (5), but never above most. `before_light` gives q, `side_of` S, and all
-    steps are of use. Then `python3 -m course demo --impl labs shadow` draws the hard shadow.
+    normals (N, 3) are those of their planes in the world. distance_map (S, S): the Light's. The
+    bias is (5), but never above most. `before_light` gives q, `side_of` S, and the steps are of
+    use. The bunny's hard shadow appears: `python3 -m course demo --impl labs shadow`.
 
     >>> light = Light(np.zeros(3), np.eye(3), np.diag([1.0, 1.0, -1.0, 1.0]))  # parallel light
     >>> points, normals = np.array([[0.5, 0.5, -2.0], [0.0, 0.5, -2.4]]), np.array([[0, 0, 1.0]] * 2)

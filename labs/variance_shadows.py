@@ -41,7 +41,7 @@ class Settings(NamedTuple):
 class ShadowBuffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
-    distance_map (S, S), its moments (S, S, 2), and for each point q (N, 3) and uv (N, 2) on the map.
+    distance_map (S, S), its moments (S, S, 2), and of each point q (N, 3) and uv (N, 2).
     """
 
     distance_map: np.ndarray
@@ -78,19 +78,15 @@ def box_blur(picture, radius):
     return window_sums(picture, radius) / window_sums(np.ones((*picture.shape[:2], 1)), radius)
 
 
-def box_blur_backward(grad_output, radius):  # extra 14.10 (2 points)
-    """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C).
-
-    >>> box_blur_backward(np.array([[[6.0], [0.0], [0.0], [0.0]]]), 1)[..., 0]
-    array([[3., 3., 0., 0.]])
-    """
+def box_blur_backward(grad_output, radius):
+    """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C)."""
     # A box filter's sums are their own transpose: pixel j is in the square around i where i is in
     # the square around j. Each mean was divided by the number of pixels in its own square.
     count = window_sums(np.ones((*grad_output.shape[:2], 1)), radius)
     return window_sums(grad_output / count, radius)
 
 
-def lit_by_moments(moments, uv, distance, radius,  # exercise 14.11 (2 points)
+def lit_by_moments(moments, uv, distance, radius,  # exercise 14.10 (2 points)
                    least_variance):
     """Eqs. (8) and (9): the largest share of the light that can come to the receivers -> (N,).
 
@@ -103,27 +99,26 @@ def lit_by_moments(moments, uv, distance, radius,  # exercise 14.11 (2 points)
     >>> lit_by_moments(moments, uv, distance, 0, 0.1).round(9)
     array([0.5, 0.1, 1. , 1. ])
     """
-    raise NotImplementedError("exercise 14.11: lit_by_moments")
+    raise NotImplementedError("exercise 14.10: lit_by_moments")
 
 
-def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.12 (4 points)
+def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.11 (4 points)
                             radius, least_variance):
     """Backward of `lit_by_moments`: grad_lit (N,) -> grad_moments (H, W, 2), grad_uv (N, 2),
     grad_distance (N,). Where the variance is floored, it is a constant.
 
-    `mipmapping.texture_backward` (grad_colour, image, uv, boundary="clamp") returns grad_image and
-    grad_uv first, `box_blur_backward` is given. A light then finds its place by its shadow:
-    `python3 -m course demo --impl labs light_from_shadow`.
+    `mipmapping.texture_backward` returns grad_image and grad_uv first. With it a light finds its
+    place by a shadow: `python3 -m course demo --impl labs light_from_shadow`.
 
     >>> moments, uv = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([[0.5, 0.5]])
     >>> lit_by_moments_backward(np.ones(1), moments, uv, np.array([3.0]), 0, 0.1)
     (array([[[-0.25 ,  0.125],
             [-0.25 ,  0.125]]]), array([[2., 0.]]), array([-0.5]))
     """
-    raise NotImplementedError("exercise 14.12: lit_by_moments_backward")
+    raise NotImplementedError("exercise 14.11: lit_by_moments_backward")
 
 
-def map_motion(distance_map, clip_from_light):  # extra 14.13 (3 points)
+def map_motion(distance_map, clip_from_light):
     """How far does the content of each texel move on the map when all points move by dq?
 
     distance_map (H, W), finite -> motion (H, W, 2, 3): the derivatives of eq. (2), x and y in
@@ -152,7 +147,7 @@ def moments_of(distance_map):
     return np.stack([distance_map, distance_map**2], -1)
 
 
-def moved_moments(distance_map, motion, move):  # extra 14.14 (4 points)
+def moved_moments(distance_map, motion, move):  # extra 14.12 (4 points)
     """Eq. (10): the moments (H, W, 2) of a map when all points have moved by move (3,).
 
     distance_map d (H, W), motion (H, W, 2, 3). E_a and E_b are d and d^2 before the move. At a
@@ -177,7 +172,7 @@ def moved_moments(distance_map, motion, move):  # extra 14.14 (4 points)
     return moved
 
 
-def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.15 (4 points)
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.13 (4 points)
     """Backward of `moved_moments` with respect to move: grad_moments (H, W, 2) -> grad_move (3,).
 
     distance_map and motion are held.

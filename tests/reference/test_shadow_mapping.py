@@ -123,12 +123,12 @@ def test_what_does_not_fit_a_shadow_is_one_sentence():
     refused("expects a point light", ray_casting.area_light_truth, points, vertices, faces, sun,
             0.1, offsets)
     refused("at least one place", ray_casting.disc_offsets, 0)
-    np.testing.assert_array_equal(
-        shadow_mapping.depth_map(vertices.tolist(), faces.tolist(), light, 8),
-        shadow_mapping.depth_map(vertices, faces, light, 8))
-    np.testing.assert_array_equal(
-        ray_casting.ray_cast(points.tolist(), vertices.tolist(), faces.tolist(), light),
-        ray_casting.ray_cast(points, vertices, faces, light))
+    lists = points.tolist(), vertices.tolist(), faces.tolist()
+    for function, (*given, light_and_size) in (
+            (ray_casting.ray_cast, (points, vertices, faces, [light])),
+            (shadow_mapping.depth_map, (vertices, faces, [light, 8]))):
+        np.testing.assert_array_equal(function(*lists[-len(given):], *light_and_size),
+                                      function(*given, *light_and_size))
     for make in LIGHTS.values():
         assert np.isfinite(make(vertices.tolist()).clip_from_light).all()
 

@@ -1,6 +1,7 @@
 """Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
 import numpy as np
 import pytest
+from shadow_lights import CONE, PARALLEL, point_at, projected
 from shadow_scenes import LIGHTS, PLACE, camera, on_the_ground, scene, small_scene
 
 from course.given import mesh, ray_casting
@@ -25,6 +26,19 @@ def test_a_map_of_integers_moves_like_one_of_floats():
     for kind in np.uint8, np.int64:
         got = variance_shadows.moved_moments(distance_map.astype(kind), motion, move)
         np.testing.assert_allclose(got, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("light", [CONE, PARALLEL])
+def test_motion_is_the_slope_of_the_place(light):
+    """A sign; a factor of x in y; the distance of another texel; C_33 is left out of w."""
+    light = light + np.diag([0, 0, 0, 0.3])
+    distance_map = np.random.default_rng(0).uniform(1, 5, (3, 5))
+    got = variance_shadows.map_motion(distance_map, light)
+    for i, j, axis in np.ndindex(3, 5, 3):
+        ends = point_at(j + 0.5, i + 0.5, distance_map[i, j], light, 5, 3) + 1e-5 * np.outer(
+            [1, -1], np.eye(3)[axis])
+        ahead, behind = projected(ends, light, 5, 3)[0]
+        np.testing.assert_allclose(got[i, j, :, axis], (ahead - behind) / 2e-5, rtol=1e-6, atol=1e-8)
 
 
 def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
