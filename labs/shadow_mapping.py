@@ -117,7 +117,7 @@ def distance_of_depth(depth, clip_from_light):  # extra 14.3 (2 points)
     return distance
 
 
-def stored_distance(distance_map, place):  # step 14.4
+def stored_distance(distance_map, place):
     """What the map holds at the places (x, y): its texel [floor y, floor x] -> (N,).
 
     distance_map (H, W), place (N, 2). Unless 0 <= x < W and 0 <= y < H: np.inf.
@@ -126,10 +126,15 @@ def stored_distance(distance_map, place):  # step 14.4
     >>> stored_distance(distance_map, np.array([[0.9, 0.1], [2.0, 1.9], [2.5, 2.0], [-0.1, 1.0]]))
     array([ 1.,  6., inf, inf])
     """
-    raise NotImplementedError("exercise 14.4: stored_distance")
+    height, width = distance_map.shape
+    x, y = place.T
+    stored = np.full(x.shape, np.inf)
+    inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+    stored[inside] = distance_map[y[inside].astype(int), x[inside].astype(int)]
+    return stored
 
 
-def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.5
+def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
     """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
     normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
@@ -146,10 +151,10 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.5
     Fine print. A plane seen edge-on would recede without a bound. Where |n . ray| < GRAZING, put
     GRAZING with its sign in its place. 0 counts as positive.
     """
-    raise NotImplementedError("exercise 14.5: distance_slopes")
+    raise NotImplementedError("exercise 14.4: distance_slopes")
 
 
-def hard_shadow(points, normals, light, distance_map,  # exercise 14.6 (4 points)
+def hard_shadow(points, normals, light, distance_map,  # exercise 14.5 (4 points)
                 constant, factor=1.0, most=np.inf):
     """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
 
@@ -162,7 +167,7 @@ def hard_shadow(points, normals, light, distance_map,  # exercise 14.6 (4 points
     >>> hard_shadow(points, normals, light, np.full((2, 2), 1.7), 0.5)
     array([ True, False])
     """
-    raise NotImplementedError("exercise 14.6: hard_shadow")
+    raise NotImplementedError("exercise 14.5: hard_shadow")
 
 
 # --- maps, and the points that are looked up on them ------------------------------------------

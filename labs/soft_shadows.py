@@ -53,7 +53,7 @@ def receivers(points, normals, light, size):
     return Receivers(map_position(q, *on_map), -q[:, 2], slope)
 
 
-def on_plane(place, distance, slope, step):  # step 14.7
+def on_plane(place, distance, slope, step):  # step 14.6
     """A place some texels away on the map, and how distant the receiver's plane is there.
 
     place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
@@ -62,7 +62,7 @@ def on_plane(place, distance, slope, step):  # step 14.7
     >>> on_plane(np.array([[2.25, 3.5]]), np.array([7.0]), np.array([[0.5, 0.1]]), np.array([1, 2]))
     (array([[3.25, 5.5 ]]), array([7.825]))
     """
-    raise NotImplementedError("exercise 14.7: on_plane")
+    raise NotImplementedError("exercise 14.6: on_plane")
 
 
 def steps_around(offsets, radius):
@@ -71,7 +71,7 @@ def steps_around(offsets, radius):
         yield (radius * offset[:, None]).T
 
 
-def percentage_closer(distance_map, place, distance, slope,  # exercise 14.8 (2 points)
+def percentage_closer(distance_map, place, distance, slope,  # exercise 14.7 (2 points)
                       bias, offsets, radius):
     """Eq. (6): light reaches what share of the places around (x, y)? -> (N,).
 
@@ -84,10 +84,10 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.8 (2 
     ...                   offsets, 1.0).round(3)
     array([0.333])
     """
-    raise NotImplementedError("exercise 14.8: percentage_closer")
+    raise NotImplementedError("exercise 14.7: percentage_closer")
 
 
-def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.9 (3 points)
+def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.8 (3 points)
                            bias, offsets, lamp):
     """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 
@@ -102,7 +102,7 @@ def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.
     ...                        0.1, offsets, 2.0).round(3)  # b = 2, and the radius is 1/2
     array([0.667])
     """
-    raise NotImplementedError("exercise 14.9: percentage_closer_soft")
+    raise NotImplementedError("exercise 14.8: percentage_closer_soft")
 
 
 def soft_shadow(points, normals, light, distance_map, light_radius, bias, offsets):

@@ -120,7 +120,7 @@ def distance_of_depth(depth, clip_from_light):  # extra 14.3 (2 points)
     return distance
 
 
-def stored_distance(distance_map, place):  # step 14.4
+def stored_distance(distance_map, place):
     """What the map holds at the places (x, y): its texel [floor y, floor x] -> (N,).
 
     distance_map (H, W), place (N, 2). Unless 0 <= x < W and 0 <= y < H: np.inf.
@@ -137,7 +137,7 @@ def stored_distance(distance_map, place):  # step 14.4
     return stored
 
 
-def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.5
+def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
     """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
     normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
@@ -165,7 +165,7 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.5
     return np.stack([slope_x, slope_y]).T
 
 
-def hard_shadow(points, normals, light, distance_map,  # exercise 14.6 (4 points)
+def hard_shadow(points, normals, light, distance_map,  # exercise 14.5 (4 points)
                 constant, factor=1.0, most=np.inf):
     """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
 

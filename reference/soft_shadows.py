@@ -53,7 +53,7 @@ def receivers(points, normals, light, size):
     return Receivers(map_position(q, *on_map), -q[:, 2], slope)
 
 
-def on_plane(place, distance, slope, step):  # step 14.7
+def on_plane(place, distance, slope, step):  # step 14.6
     """A place some texels away on the map, and how distant the receiver's plane is there.
 
     place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
@@ -74,7 +74,7 @@ def steps_around(offsets, radius):
         yield (radius * offset[:, None]).T
 
 
-def percentage_closer(distance_map, place, distance, slope,  # exercise 14.8 (2 points)
+def percentage_closer(distance_map, place, distance, slope,  # exercise 14.7 (2 points)
                       bias, offsets, radius):
     """Eq. (6): light reaches what share of the places around (x, y)? -> (N,).
 
@@ -94,7 +94,7 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.8 (2 
     return lit / len(offsets)
 
 
-def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.9 (3 points)
+def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.8 (3 points)
                            bias, offsets, lamp):
     """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 

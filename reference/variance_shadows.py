@@ -86,7 +86,7 @@ def box_blur_backward(grad_output, radius):
     return window_sums(grad_output / count, radius)
 
 
-def lit_by_moments(moments, uv, distance, radius,  # exercise 14.10 (2 points)
+def lit_by_moments(moments, uv, distance, radius,  # exercise 14.9 (2 points)
                    least_variance):
     """Eqs. (8) and (9): the largest share of the light that can come to the receivers -> (N,).
 
@@ -106,7 +106,7 @@ def lit_by_moments(moments, uv, distance, radius,  # exercise 14.10 (2 points)
     return np.where(inside, variance / (variance + beyond**2), 1.0)
 
 
-def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.11 (4 points)
+def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.10 (4 points)
                             radius, least_variance):
     """Backward of `lit_by_moments`: grad_lit (N,) -> grad_moments (H, W, 2), grad_uv (N, 2),
     grad_distance (N,). Where the variance is floored, it is a constant.
@@ -164,7 +164,7 @@ def moments_of(distance_map):
     return np.stack([distance_map, distance_map**2], -1)
 
 
-def moved_moments(distance_map, motion, move):  # extra 14.12 (4 points)
+def moved_moments(distance_map, motion, move):  # extra 14.11 (4 points)
     """Eq. (10): the moments (H, W, 2) of a map when all points have moved by move (3,).
 
     distance_map d (H, W), motion (H, W, 2, 3). E_a and E_b are d and d^2 before the move. At a
@@ -189,7 +189,7 @@ def moved_moments(distance_map, motion, move):  # extra 14.12 (4 points)
     return moved
 
 
-def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.13 (4 points)
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.12 (4 points)
     """Backward of `moved_moments` with respect to move: grad_moments (H, W, 2) -> grad_move (3,).
 
     distance_map and motion are held.

@@ -38,33 +38,30 @@ def shadow(labs):
 def light_from_shadow(labs):
     """A light finds its place by the shadow that the bunny should cast (lab 14)."""
     lab14, shape = labs.variance_shadows, on_the_ground(*unit_bunny(), lift=0.5)
-    settings = lab14.Settings(192, 6, 1e-3)
-    schedule = labs.inverse_rendering.decay(0.08, 0.1, 100)
-    seen, points, target = given_shadow(labs, *shape, SIZE)
-    few = given_shadow(labs, *shape, SIZE // 4)[1:]
-    path = lab14.fit_position(few[1], few[0], *shape, GUESS, settings, schedule)
-    yield f"{len(schedule)} steps", None
-    size = np.linalg.norm(np.ptp(shape[0], axis=0))
+    settings, rates = lab14.Settings(192, 6, 1e-3), labs.inverse_rendering.decay(0.08, 0.1, 100)
+    _, *few = given_shadow(labs, *shape, SIZE // 4)
+    path = lab14.fit_position(*few, *shape, GUESS, settings, rates)
+    yield f"{len(rates)} steps", None
+    ground, target, points = given_shadow(labs, *shape, SIZE)
     for name, position in ("first", path[0]), ("found", path[-1]):
-        off = 100 * np.linalg.norm(position - PLACE) / size
+        off = 100 * np.linalg.norm(position - PLACE) / np.linalg.norm(np.ptp(shape[0], axis=0))
         light = labs.lights.point_light(position, shape[0])
         share, _ = lab14.variance_shadow(points, *shape, light, settings._replace(radius=1))
         red = np.where(target[:, None], 1.0, [1.0, 0.6, 0.5])  # where the shadow should be
         shades = image.to_srgb((0.12 + 0.88 * share)[:, None] * GROUND * red)
         yield (f"{name}: off by {off:.1f} % of the scene's size",
-               save("light_from_shadow", name, painted(seen, shades)))
+               save("light_from_shadow", name, painted(ground, shades)))
     yield "the light's place", None, ("off by less than 2 %", off < 2)
 
 
 def given_shadow(labs, vertices, faces, size):
-    """What an eye sees of the ground (size, size), as points (N, 3), and which light reaches (N,).
-    """
+    """Where an eye sees the ground (size, size), which points of it are lit (N,), they (N, 3)."""
     camera = clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2], fov_y=44)
     face_index, points, _ = labs.shadow_mapping.visible_points(vertices, faces, camera, size, size)
     ground = face_index >= len(faces) - 2
     points = points[ground[face_index >= 0]]
     light = labs.lights.point_light(PLACE, vertices)
-    return ground, points, ray_casting.ray_cast(points, vertices, faces, light)
+    return ground, ray_casting.ray_cast(points, vertices, faces, light), points
 
 
 def cosine(toward, normals):

@@ -17,21 +17,17 @@ from course.scenes import (
 
 def shadows(labs):
     """A ball's shadow, hard and soft, and the begin of a search for its light."""
-    shape = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4)
+    shape, lab14 = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4), labs.variance_shadows
     light = labs.lights.point_light(shadow.PLACE, shape[0])
     camera = viewing.clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2])
     _, *seen = labs.shadow_mapping.visible_points(*shape, camera, 32, 32)
-    yield "what the eye sees", np.hstack(seen)
-    distance_map = labs.shadow_mapping.depth_map(*shape, light, 64)
-    yield "the light's map", distance_map
-    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*seen, light, distance_map, 2e-3,
-                                                             most=0.1)
-    yield "the soft shadow", labs.soft_shadows.soft_shadow(*seen, light, distance_map, 0.4, 1e-2,
-                                                           ray_casting.disc_offsets(16))
-    settings, (_, points, target) = labs.variance_shadows.Settings(48, 3, 1e-3), shadow.given_shadow(
-        labs, *shape, 16)
-    yield "the search for the light", labs.variance_shadows.fit_position(
-        target, points, *shape, shadow.GUESS, settings, [0.1, 0.05, 0.02])
+    given = *seen, light, labs.shadow_mapping.depth_map(*shape, light, 64)
+    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*given, 2e-3, most=0.1)
+    places = ray_casting.disc_offsets(16)
+    yield "the soft shadow", labs.soft_shadows.soft_shadow(*given, 0.4, 1e-2, places)
+    _, *given = shadow.given_shadow(labs, *shape, 16)
+    yield "the search for the light", lab14.fit_position(
+        *given, *shape, shadow.GUESS, lab14.Settings(48, 3, 1e-3), [0.1, 0.05, 0.02])
 
 
 def lab_15(labs):

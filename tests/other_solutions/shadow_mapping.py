@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from reference.shadow_mapping import Light
+from reference.shadow_mapping import Light, stored_distance
 
 GRAZING = 0.01
 
@@ -24,12 +24,6 @@ def distance_slopes(normal, q, clip_from_light, width, height):
         for axis, size in enumerate((width, height)):
             slopes[n, axis] = -2 * w / (C[axis, axis] * size) * normal[n, axis] / facing
     return slopes
-
-
-def stored_distance(distance_map, place):
-    around = np.pad(distance_map, 1, constant_values=np.inf)
-    row, column = np.floor(place).astype(int).T[::-1] + 1
-    return around[np.clip(row, 0, len(around) - 1), np.clip(column, 0, len(around[0]) - 1)]
 
 
 def hard_shadow(points, normals, light, distance_map, constant, factor=1.0, most=np.inf):

@@ -123,12 +123,10 @@ def test_what_does_not_fit_a_shadow_is_one_sentence():
     refused("expects a point light", ray_casting.area_light_truth, points, vertices, faces, sun,
             0.1, offsets)
     refused("at least one place", ray_casting.disc_offsets, 0)
-    lists = points.tolist(), vertices.tolist(), faces.tolist()
-    for function, (*given, light_and_size) in (
-            (ray_casting.ray_cast, (points, vertices, faces, [light])),
-            (shadow_mapping.depth_map, (vertices, faces, [light, 8]))):
-        np.testing.assert_array_equal(function(*lists[-len(given):], *light_and_size),
-                                      function(*given, *light_and_size))
+    for read in (lambda shape, points: shadow_mapping.depth_map(*shape, light, 8),
+                 lambda shape, points: ray_casting.ray_cast(points, *shape, light)):
+        np.testing.assert_array_equal(read((vertices.tolist(), faces.tolist()), points.tolist()),
+                                      read((vertices, faces), points))
     for make in LIGHTS.values():
         assert np.isfinite(make(vertices.tolist()).clip_from_light).all()
 
@@ -138,10 +136,10 @@ def test_a_map_without_texels_is_one_sentence(size):
     """A division by zero, a shape that NumPy refuses, or a map of -1 texels."""
     vertices, faces, points, normals = small_scene()
     light = LIGHTS["point"](vertices)
-    with pytest.raises(ValueError, match=f"depth_map expects a whole number .* 1, got {size}"):
-        shadow_mapping.depth_map(vertices, faces, light, size)
-    with pytest.raises(ValueError, match=f"receivers expects a whole number .* 1, got {size}"):
-        soft_shadows.receivers(points, normals, light, size)
+    refused(f"depth_map expects a whole number .* 1, got {size}", shadow_mapping.depth_map,
+            vertices, faces, light, size)
+    refused(f"receivers expects a whole number .* 1, got {size}", soft_shadows.receivers,
+            points, normals, light, size)
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (8, 0), (4, 8), (8,)])
