@@ -41,7 +41,8 @@ class Settings(NamedTuple):
 class ShadowBuffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
-    distance_map (S, S), its moments (S, S, 2), and of each point q (N, 3) and uv (N, 2).
+    distance_map (S, S), its moments (S, S, 2), and of each point q (N, 3) and uv (N, 2) on the
+    map.
     """
 
     distance_map: np.ndarray
@@ -107,8 +108,8 @@ def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.10 (
     """Backward of `lit_by_moments`: grad_lit (N,) -> grad_moments (H, W, 2), grad_uv (N, 2),
     grad_distance (N,). Where the variance is floored, it is a constant.
 
-    `mipmapping.texture_backward` returns grad_image and grad_uv first. With it a light finds its
-    place by a shadow: `python3 -m course demo --impl labs light_from_shadow`.
+    `box_blur_backward` is given, `mipmapping.texture_backward` returns grad_image, then grad_uv.
+    A light finds its place: `python3 -m course demo --impl labs light_from_shadow`.
 
     >>> moments, uv = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([[0.5, 0.5]])
     >>> lit_by_moments_backward(np.ones(1), moments, uv, np.array([3.0]), 0, 0.1)

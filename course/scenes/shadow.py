@@ -41,7 +41,6 @@ def light_from_shadow(labs):
     settings, rates = lab14.Settings(192, 6, 1e-3), labs.inverse_rendering.decay(0.08, 0.1, 100)
     _, *few = given_shadow(labs, *shape, SIZE // 4)
     path = lab14.fit_position(*few, *shape, GUESS, settings, rates)
-    yield f"{len(rates)} steps", None
     ground, target, points = given_shadow(labs, *shape, SIZE)
     for name, position in ("first", path[0]), ("found", path[-1]):
         off = 100 * np.linalg.norm(position - PLACE) / np.linalg.norm(np.ptp(shape[0], axis=0))

@@ -6,16 +6,11 @@ from labkit.checks import assert_close, assert_picture, exercise
 
 # --- moments ------------------------------------------------------------------------------------
 
-def square(picture, i, j, radius):
-    """The part of a picture up to radius rows and columns away from [i, j]."""
-    return picture[max(i - radius, 0):i + radius + 1, max(j - radius, 0):j + radius + 1]
-
-
 def each_square(picture, radius, of):
-    """of(the square around it) for each pixel of a picture (H, W, C)."""
-    height, width = picture.shape[:2]
-    return np.array([[of(square(picture, i, j, radius)) for j in range(width)]
-                     for i in range(height)])
+    """of(the square of that radius around it) for each pixel of a picture (H, W, C)."""
+    rows, columns = ([slice(max(k - radius, 0), k + radius + 1) for k in range(side)]
+                     for side in picture.shape[:2])
+    return np.array([[of(picture[row, column]) for column in columns] for row in rows])
 
 
 def at_centres(mean, mean_square):
