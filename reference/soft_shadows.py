@@ -54,10 +54,10 @@ def receivers(points, normals, light, size):
 
 
 def on_plane(place, distance, slope, step):  # step 14.6
-    """A place some texels away on the map, and how distant the receiver's plane is there.
+    """The place a step away on the map, and how distant the receiver's plane is there.
 
     place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
-    at the *centre* of the texel that holds it. From `place`, it grows by slope to a texel.
+    at the *centre* of its texel: it grows by slope.
 
     >>> on_plane(np.array([[2.25, 3.5]]), np.array([7.0]), np.array([[0.5, 0.1]]), np.array([1, 2]))
     (array([[3.25, 5.5 ]]), array([7.825]))
@@ -98,15 +98,15 @@ def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.
                            bias, offsets, lamp):
     """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 
-    At depth 1, the disc's radius would be lamp texels. In (7), b is the mean of the stored
-    distances at blockers: places that (6) would count as dark, within the radius (7) of the nearest
-    distance of all. Then (6) within the radius of that b: 0 where there is no blocker. Soft shadows
-    appear: `python3 -m course demo --impl labs shadow`.
+    At depth 1, the disc's radius is lamp texels. In (7), b is the mean of what is stored at
+    blockers: places that (6) counts as dark, within the radius (7) of the nearest distance of all.
+    Then filter by (6) within the radius for that b, or 0 without blockers. Soft shadows appear:
+    `python3 -m course demo --impl labs shadow`.
 
     >>> distance_map = np.array([[1.0, 2.0, 9.0, 9.0, 9.0]])
     >>> offsets, one = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]]), np.ones(1)
-    >>> percentage_closer_soft(distance_map, np.array([[2.25, 0.5]]), 4 * one, np.zeros((1, 2)),
-    ...                        0.1, offsets, 2.0).round(3)  # b = 2, and the radius is 1/2
+    >>> percentage_closer_soft(distance_map, np.array([[2.3, 0.5]]), 4 * one, np.zeros((1, 2)),
+    ...                        0.1, offsets, 1.6).round(3)  # blockers within 1.2, b = 2, then 0.4
     array([0.667])
     """
     # At depth b the disc is lamp / b texels, of which the receiver sees (d - b) / d.

@@ -91,9 +91,9 @@ def lit_by_moments(moments, uv, distance, radius,  # exercise 14.9 (2 points)
                    least_variance):
     """Eqs. (8) and (9): the largest share of the light that can come to the receivers -> (N,).
 
-    moments (H, W, 2): each texel's distance and its square. `box_blur` them, and read them at uv
-    (N, 2), receivers on the map, by `mipmapping.texture` with boundary="clamp". distance (N,).
-    Outside the map, that is unless 0 <= u < 1 and 0 <= v < 1, all is lit.
+    moments (H, W, 2): each texel's distance and its square. `box_blur` them by radius, and read
+    them at uv (N, 2) by `mipmapping.texture` with boundary="clamp". distance (N,). Unless
+    0 <= u < 1 and 0 <= v < 1, all is lit.
 
     >>> moments, distance = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([3.0, 3.0, 2.0, 9.0])
     >>> uv = np.array([[0.5, 0.5], [0.3, 0.5], [0.5, 0.5], [1.0, 0.5]])
