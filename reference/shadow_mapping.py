@@ -174,8 +174,8 @@ def hard_shadow(points, normals, light, distance_map,  # exercise 14.5 (4 points
     use. The bunny's hard shadow appears: `python3 -m course demo --impl labs shadow`.
 
     >>> light = Light(np.zeros(3), np.eye(3), np.diag([1.0, 1.0, -1.0, 1.0]))  # parallel light
-    >>> points, normals = np.array([[0.5, 0.5, -2.0], [0.0, 0.5, -2.4]]), np.array([[0, 0, 1.0]] * 2)
-    >>> hard_shadow(points, normals, light, np.full((2, 2), 1.7), 0.5)
+    >>> points = np.array([[0.5, 0.5, -2.0], [0.0, 0.5, -2.4]])
+    >>> hard_shadow(points, np.eye(3)[[2, 2]], light, np.full((2, 2), 1.7), 0.5)
     array([ True, False])
     """
     q, size = before_light(points, light), side_of(distance_map)

@@ -99,8 +99,8 @@ def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.
     """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 
     At depth 1, the disc's radius is lamp texels. In (7), b is the mean of what is stored at
-    blockers: places that (6) counts as dark, within the radius (7) of the nearest distance of all.
-    Then filter by (6) within the radius for that b, or 0 without blockers. Soft shadows appear:
+    blockers: places dark by (6), within the radius (7) of the nearest distance of all. Then filter
+    by (6) within b's radius, or 0 without blockers. It draws
     `python3 -m course demo --impl labs shadow`.
 
     >>> distance_map = np.array([[1.0, 2.0, 9.0, 9.0, 9.0]])

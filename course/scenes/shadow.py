@@ -1,4 +1,4 @@
-"""The bunny's shadow on the ground, hard and soft, and the light that a shadow tells of (lab 14)."""
+"""The bunny's shadow on the ground, hard and soft, and a light that is found by one (lab 14)."""
 import numpy as np
 
 from ..given import image, mesh, plot, ray_casting

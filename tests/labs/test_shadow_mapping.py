@@ -174,21 +174,21 @@ def test_what_lies_behind_is_dark_and_what_lies_before_is_lit(impl, rng):
     is q_z, or along the ray. x and y are swapped.
     """
     behind = rng.uniform(0.3, 1, 60) * rng.choice([-1, 1], 60)
-    assert_equal(impl.hard_shadow(*looked_up(impl, rng, PARALLEL, behind), 0.1), behind < 0)
+    assert_equal(impl.hard_shadow(*looked_up(impl, rng, PARALLEL, behind), 0.1, 0.0), behind < 0)
 
 
 @exercise("14.5")
 def test_under_a_point_light_too(impl, rng):
     """The place on the map is that of parallel light. The distance is measured along the ray."""
     behind = rng.uniform(0.3, 1, 60) * rng.choice([-1, 1], 60)
-    assert_equal(impl.hard_shadow(*looked_up(impl, rng, CONE, behind), 0.1), behind < 0)
+    assert_equal(impl.hard_shadow(*looked_up(impl, rng, CONE, behind), 0.1, 0.0), behind < 0)
 
 
 @exercise("14.5")
 def test_the_constant_lights_what_is_just_behind(impl, rng):
     """The bias is left out, subtracted, or a factor: it is added to what is stored."""
     behind = rng.uniform(-0.4, 0.8, 60)
-    assert_equal(impl.hard_shadow(*looked_up(impl, rng, CONE, behind), 0.2), behind <= 0.2)
+    assert_equal(impl.hard_shadow(*looked_up(impl, rng, CONE, behind), 0.2, 0.0), behind <= 0.2)
 
 
 def slanted(rng, count):
@@ -251,4 +251,4 @@ def test_outside_the_map_all_is_lit(impl, rng):
     x, y = rng.uniform(-3, S + 3, (2, 80))
     given = seen_by(impl, rng, CONE, point_at(x, y, 5 + 0 * x, CONE, S, S).T, [0.0, 0.0, 1.0])
     outside = (np.minimum(x, y) < 0) | (np.maximum(x, y) >= S)
-    assert_equal(impl.hard_shadow(*given, STORED, 0.1), outside)
+    assert_equal(impl.hard_shadow(*given, STORED, 0.1, 0.0), outside)

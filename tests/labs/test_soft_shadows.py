@@ -140,7 +140,7 @@ def test_b_is_the_mean_of_the_blockers_around(impl, rng):
     """
     distance_map, place, *_, offsets, _ = around(rng)
     distance = rng.integers(8, 14, 40) / 2                # as far as what is stored, now and then
-    given = np.round(2 * distance_map) / 2, place, distance, np.zeros((40, 2)), np.zeros(40), offsets
+    given = np.round(2 * distance_map) / 2, place, distance, 0 * place, 0 * distance, offsets
     assert_close(impl.percentage_closer_soft(*given, 6.0), soft(*given, 6.0))
 
 

@@ -67,7 +67,7 @@ def means(moments, uv, radius=1):
     """The blurred moments, read at uv (N, 2) as if the border of the map went on: each (N,)."""
     blurred = each_square(moments, radius, lambda part: part.mean((0, 1)))
     at = (uv * [moments.shape[1], moments.shape[0]] - 0.5).T[::-1]
-    return [map_coordinates(one, at, order=1, mode="nearest") for one in np.moveaxis(blurred, -1, 0)]
+    return [map_coordinates(one, at, order=1, mode="nearest") for one in blurred.transpose(2, 0, 1)]
 
 
 def share(moments, uv, distance):

@@ -34,5 +34,6 @@ def percentage_closer_soft(distance_map, place, distance, slope, bias, offsets, 
 
     given = distance_map, place, distance, slope, bias, offsets
     around = places(*given, radius(np.full(len(place), distance_map.min())))
-    return percentage_closer(*given, radius(
-        [np.inf if lit.all() else stored[~lit].mean() for lit, stored in zip(*around, strict=True)]))
+    blockers = [np.inf if lit.all() else stored[~lit].mean()
+                for lit, stored in zip(*around, strict=True)]
+    return percentage_closer(*given, radius(blockers))

@@ -39,7 +39,7 @@ def test_motion_is_the_slope_of_the_place(light):
         ends = point_at(j + 0.5, i + 0.5, distance_map[i, j], light, 5, 3) + 1e-5 * np.outer(
             [1, -1], np.eye(3)[axis])
         ahead, behind = projected(ends, light, 5, 3)[0]
-        np.testing.assert_allclose(got[i, j, :, axis], (ahead - behind) / 2e-5, rtol=1e-6, atol=1e-8)
+        np.testing.assert_allclose(got[i, j, :, axis], (ahead - behind) / 2e-5, 1e-6, atol=1e-8)
 
 
 def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
@@ -124,8 +124,9 @@ def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
     def refused(match, size=8, radius=1, least_variance=1e-3, points=points, faces=faces,
                 target=None):
         target = np.ones(len(points)) if target is None else target
-        shadow_scenes.refused(match, variance_shadows.position_loss, target, points, vertices, faces,
-                              light, variance_shadows.Settings(size, radius, least_variance))
+        settings = variance_shadows.Settings(size, radius, least_variance)
+        shadow_scenes.refused(match, variance_shadows.position_loss, target, points, vertices,
+                              faces, light, settings)
 
     refused("one number for each point", target=np.ones((len(points), 1)))
     refused("at least one point", points=points[:0])
