@@ -40,18 +40,7 @@ class Light(NamedTuple):
     clip_from_light: np.ndarray
 
 
-class Receivers(NamedTuple):
-    """N points on a light's map, and how fast their planes recede there.
-
-    place (N, 2): x and y in texels. distance (N,). slope (N, 2): `distance_slopes`.
-    """
-
-    place: np.ndarray
-    distance: np.ndarray
-    slope: np.ndarray
-
-
-def to_light(points, position, rotation):  # extra 14.1 (1 point)
+def to_light(points, position, rotation):
     """Eq. (1): points (N, 3) in the light's frame -> q (N, 3).
 
     position (3,), rotation (3, 3), whose rows are the light's axes.
@@ -63,17 +52,12 @@ def to_light(points, position, rotation):  # extra 14.1 (1 point)
     return (points - position) @ rotation.T
 
 
-def to_light_backward(grad_q, points, position, rotation):  # extra 14.2 (2 points)
+def to_light_backward(grad_q, points, position, rotation):
     """Backward of eq. (1): grad_q (N, 3) -> grad_points (N, 3), grad_position (3,).
 
     The light moves without turning: rotation is held.
-
-    >>> rotation = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    >>> grad_q = np.array([[0.0, 2.0, 0.0], [1.0, 0.0, 3.0]])
-    >>> to_light_backward(grad_q, np.zeros((2, 3)), np.zeros(3), rotation)
-    (array([[ 0.,  0., -2.],
-           [ 1.,  3.,  0.]]), array([-1., -3.,  2.]))
     """
+    # dq = rotation (dp - dposition) for each point, and all of them have one position.
     grad_points = grad_q @ rotation
     return grad_points, -grad_points.sum(0)
 
@@ -83,7 +67,7 @@ def w_of(q, clip_from_light):
     return clip_from_light[3, 2] * q[:, 2] + clip_from_light[3, 3]
 
 
-def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
+def map_position(q, clip_from_light, width, height):  # step 14.1
     """Eq. (2): where on the light's map are q (N, 3)? -> x and y in texels (N, 2).
 
     `w_of` gives w.
@@ -93,10 +77,10 @@ def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
     array([[6., 3.],
            [4., 0.]])
     """
-    raise NotImplementedError("exercise 14.3: map_position")
+    raise NotImplementedError("exercise 14.1: map_position")
 
 
-def map_position_backward(grad_place, q, clip_from_light,  # extra 14.4 (3 points)
+def map_position_backward(grad_place, q, clip_from_light,  # extra 14.2 (3 points)
                           width, height):
     """Backward of eq. (2): grad_place (N, 2) -> grad_q (N, 3). clip_from_light is held.
 
@@ -113,7 +97,7 @@ def map_position_backward(grad_place, q, clip_from_light,  # extra 14.4 (3 point
     return np.stack([grad_q_x, grad_q_y, clip_from_light[3, 2] * grad_w], -1)
 
 
-def distance_of_depth(depth, clip_from_light):  # extra 14.5 (2 points)
+def distance_of_depth(depth, clip_from_light):  # extra 14.3 (2 points)
     """From the rasterizer's depth (H, W) back to the axial depth: distance = -q_z (H, W).
 
     depth = (C_22 q_z + C_23) / (C_32 q_z + C_33) is the z / w of clip space.
@@ -136,8 +120,7 @@ def distance_of_depth(depth, clip_from_light):  # extra 14.5 (2 points)
 def stored_distance(distance_map, place):
     """What the map holds at the places (x, y): its texel [floor y, floor x] -> (N,).
 
-    distance_map (H, W), place (N, 2). Outside the map, that is unless 0 <= x < W and 0 <= y < H, it
-    is np.inf.
+    distance_map (H, W), place (N, 2). Unless 0 <= x < W and 0 <= y < H: np.inf.
 
     >>> distance_map = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
     >>> stored_distance(distance_map, np.array([[0.9, 0.1], [2.0, 1.9], [2.5, 2.0], [-0.1, 1.0]]))
@@ -151,20 +134,7 @@ def stored_distance(distance_map, place):
     return stored
 
 
-def is_lit(distance_map, place, distance, bias):  # extra 14.7 (1 point)
-    """Eq. (3): does light reach these points? -> bool (N,).
-
-    distance_map (H, W), place (N, 2), distance, bias (N,). `stored_distance` is given.
-
-    >>> distance_map = np.array([[4.0, 9.0]])
-    >>> place = np.array([[0.5, 0.0], [0.6, 0.0], [0.7, 0.0], [1.5, 0.0]])
-    >>> is_lit(distance_map, place, np.array([4.0, 4.5, 4.6, 4.6]), 0.5)
-    array([ True,  True, False,  True])
-    """
-    return distance <= stored_distance(distance_map, place) + bias
-
-
-def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8 (4 points)
+def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
     """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
     normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
@@ -181,21 +151,26 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8
     Fine print. A plane seen edge-on would recede without a bound. Where |n . ray| < GRAZING, put
     GRAZING with its sign in its place. 0 counts as positive.
     """
-    raise NotImplementedError("exercise 14.8: distance_slopes")
+    raise NotImplementedError("exercise 14.4: distance_slopes")
 
 
-def slope_scaled_bias(slope, constant, factor, most):  # exercise 14.9 (1 point)
-    """Eq. (5), but never above most: slope (N, 2), three numbers -> bias (N,).
+def hard_shadow(points, normals, light, distance_map,  # exercise 14.5 (4 points)
+                constant, factor=1.0, most=np.inf):
+    """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
 
-    With factor 1 it is just enough for a plane.
+    normals (N, 3) are those of their planes in the world. distance_map (S, S): the Light's. The
+    bias is (5), but never above most. `before_light` gives q, `side_of` S, and the steps are of
+    use. The bunny's hard shadow appears: `python3 -m course demo --impl labs shadow`.
 
-    >>> slope_scaled_bias(np.array([[0.2, -0.4], [-0.2, 0.0], [9.0, 0.0]]), 0.5, 2.0, 1.5)
-    array([1.1, 0.7, 1.5])
+    >>> light = Light(np.zeros(3), np.eye(3), np.diag([1.0, 1.0, -1.0, 1.0]))  # parallel light
+    >>> points = np.array([[0.5, 0.5, -2.0], [0.0, 0.5, -2.4]])
+    >>> hard_shadow(points, np.eye(3)[[2, 2]], light, np.full((2, 2), 1.7), 0.5)
+    array([ True, False])
     """
-    raise NotImplementedError("exercise 14.9: slope_scaled_bias")
+    raise NotImplementedError("exercise 14.5: hard_shadow")
 
 
-# --- maps, receivers and their shadow ---------------------------------------------------------
+# --- maps, and the points that are looked up on them ------------------------------------------
 
 
 def depth_map(vertices, faces, light, size):
@@ -240,33 +215,6 @@ def before_light(points, light):
         raise ValueError("a shadow expects points before the light, got some beside or behind it; "
                          "leave them out, or move the light away")
     return q
-
-
-def receivers(points, normals, light, size):
-    """Points (N, 3), with the unit normals (N, 3) of their faces, on a map of size x size texels.
-
-    -> Receivers. ValueError for points that are not finite, or not before the light.
-    """
-    require_side("receivers", size, 1)
-    if not np.shape(points) == np.shape(normals) == (len(points), 3):
-        raise ValueError("receivers expects points and normals (N, 3), one normal for each point, "
-                         f"got {np.shape(points)} and {np.shape(normals)}; `visible_points` "
-                         "gives both")
-    q = before_light(points, light)
-    on_map = light.clip_from_light, size, size
-    slope = distance_slopes(normals @ light.rotation.T, q, *on_map)
-    return Receivers(map_position(q, *on_map), -q[:, 2], slope)
-
-
-def hard_shadow(points, normals, light, distance_map, constant, factor=1.0, most=np.inf):
-    """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
-
-    distance_map (S, S): the light's, by `depth_map`. normals (N, 3). constant, factor and most are
-    numbers, as in `slope_scaled_bias`.
-    """
-    place, distance, slope = receivers(points, normals, light, side_of(distance_map))
-    bias = slope_scaled_bias(slope, constant, factor, most)
-    return is_lit(distance_map, place, distance, bias)
 
 
 def require_side(function, side, least):

@@ -1,7 +1,7 @@
 """Soft shadows: light that has a size, and borders without steps.
 
 A shadow map answers yes or no. These are means of its answers over places around (x, y). Maps,
-lights, receivers and eqs. (1) to (5) are those of `shadow_mapping`.
+lights and eqs. (1) to (5) are those of `shadow_mapping`.
 
     PCF:  the mean of (3) around (x, y), each at the distance of the plane there             (6)
     PCSS: (6) over the lamp's disc as the receiver sees it at the blocker:
@@ -12,24 +12,57 @@ depth, as there.
 
 Sources: Reeves et al. 1987 (6), Fernando 2005 (7).
 """
+from typing import NamedTuple
+
 import numpy as np
 
-from .shadow_mapping import is_lit, receivers, side_of, stored_distance
+from .shadow_mapping import (
+    before_light,
+    distance_slopes,
+    map_position,
+    require_side,
+    side_of,
+    stored_distance,
+)
 
 
-def on_plane(place, distance, slope, step):  # extra 14.10 (2 points)
-    """A place some texels away on the map, and how distant the receiver's plane is there.
+class Receivers(NamedTuple):
+    """N points on a light's map, and how fast their planes recede there.
+
+    place (N, 2): x and y in texels. distance (N,). slope (N, 2): `distance_slopes`.
+    """
+
+    place: np.ndarray
+    distance: np.ndarray
+    slope: np.ndarray
+
+
+def receivers(points, normals, light, size):
+    """Points (N, 3), with the unit normals (N, 3) of their faces, on a map of size x size texels.
+
+    -> Receivers. ValueError for points that are not finite, or not before the light.
+    """
+    require_side("receivers", size, 1)
+    if not np.shape(points) == np.shape(normals) == (len(points), 3):
+        raise ValueError("receivers expects points and normals (N, 3), one normal for each point, "
+                         f"got {np.shape(points)} and {np.shape(normals)}; `visible_points` "
+                         "gives both")
+    q = before_light(points, light)
+    on_map = light.clip_from_light, size, size
+    slope = distance_slopes(normals @ light.rotation.T, q, *on_map)
+    return Receivers(map_position(q, *on_map), -q[:, 2], slope)
+
+
+def on_plane(place, distance, slope, step):  # step 14.6
+    """The place a step away on the map, and how distant the receiver's plane is there.
 
     place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
-    at the *centre* of the texel that holds it. From `place`, it grows by slope to a texel.
+    at the *centre* of its texel: it grows by slope.
 
     >>> on_plane(np.array([[2.25, 3.5]]), np.array([7.0]), np.array([[0.5, 0.1]]), np.array([1, 2]))
     (array([[3.25, 5.5 ]]), array([7.825]))
     """
-    # In a cone the plane lies a little farther: this may let light through, and is never acne.
-    there = place + step
-    to_centre = np.floor(there) + 0.5 - place
-    return there, distance + (slope * to_centre).sum(1)
+    raise NotImplementedError("exercise 14.6: on_plane")
 
 
 def steps_around(offsets, radius):
@@ -38,12 +71,12 @@ def steps_around(offsets, radius):
         yield (radius * offset[:, None]).T
 
 
-def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3 points)
+def percentage_closer(distance_map, place, distance, slope,  # exercise 14.7 (2 points)
                       bias, offsets, radius):
     """Eq. (6): light reaches what share of the places around (x, y)? -> (N,).
 
-    `steps_around` gives the steps, `on_plane` each place and its distance, `is_lit` is eq. (3).
-    place, slope (N, 2), distance (N,), bias, radius (N,) or numbers, offsets (K, 2).
+    place, distance, slope are Receivers', bias and radius (N,) or numbers, offsets (K, 2).
+    `steps_around` gives the steps, `on_plane` each place and the plane's distance there.
 
     >>> distance_map, one = np.array([[4.0, 4.0, 9.0, 9.0]]), np.ones(1)
     >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])
@@ -51,62 +84,38 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3
     ...                   offsets, 1.0).round(3)
     array([0.333])
     """
-    raise NotImplementedError("exercise 14.11: percentage_closer")
+    raise NotImplementedError("exercise 14.7: percentage_closer")
 
 
-def blocker_distance(distance_map, place, distance, slope,  # extra 14.12 (3 points)
-                     bias, offsets, radius):
-    """The mean of the stored distances of blockers: of the places that are not lit -> (N,).
+def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.8 (3 points)
+                           bias, offsets, lamp):
+    """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 
-    The places, and when they are lit, are those of `percentage_closer`. Where there is no blocker:
-    np.inf.
+    At depth 1, the disc's radius is lamp texels. In (7), b is the mean of what is stored at
+    blockers: places dark by (6), within the radius (7) of the nearest distance of all. Then filter
+    by (6) within b's radius, or 0 without blockers. It draws
+    `python3 -m course demo --impl labs shadow`.
 
-    >>> distance_map, two = np.array([[4.0, 5.0, 9.0, 9.0]]), np.ones(2)
-    >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])
-    >>> blocker_distance(distance_map, np.array([[1.5, 0.5], [3.5, 0.5]]), 8 * two,
-    ...                  np.zeros((2, 2)), 0.1, offsets, 1.0)
-    array([4.5, inf])
+    >>> distance_map = np.array([[1.0, 2.0, 9.0, 9.0, 9.0]])
+    >>> offsets, one = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]]), np.ones(1)
+    >>> percentage_closer_soft(distance_map, np.array([[2.3, 0.5]]), 4 * one, np.zeros((1, 2)),
+    ...                        0.1, offsets, 1.6).round(3)  # blockers within 1.2, b = 2, then 0.4
+    array([0.667])
     """
-    total, count = np.zeros((2, *distance.shape))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        stored = stored_distance(distance_map, there)
-        blocks = plane > stored + bias
-        total += np.where(blocks, stored, 0.0)
-        count += blocks
-    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercise 14.13 (2 points)
-                    width):
-    """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
-
-    R is light_radius. distance, blocker (N,). It is 0 unless the blocker is nearer. np.inf: none.
-    `python3 -m course demo --impl labs shadow` then draws your own shadows, hard and soft.
-
-    >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
-    >>> penumbra_radius(np.array([4.0, 4.0]), np.array([2.0, np.inf]), 0.5, C, 8)
-    array([1., 0.])
-    """
-    raise NotImplementedError("exercise 14.13: penumbra_radius")
+    raise NotImplementedError("exercise 14.8: percentage_closer_soft")
 
 
 def soft_shadow(points, normals, light, distance_map, light_radius, bias, offsets):
     """PCSS, eq. (7): the lit share of points (N, 3) under a disc of light_radius -> (N,).
 
     The disc is a point light's, and faces the scene. offsets (K, 2) are places in the unit disc.
-    distance_map (S, S): the light's, by `depth_map`. One search for blockers, where the nearest of
-    all could be. Then (6) over the radius that their mean has.
+    distance_map (S, S): the light's, by `depth_map`.
     """
     require_disc(light, light_radius, offsets)
     size = side_of(distance_map)
-    on_map = receivers(points, normals, light, size)
-    to_texels = light_radius, light.clip_from_light, size
-    nearest = np.full(len(points), distance_map.min())
-    search = penumbra_radius(on_map.distance, nearest, *to_texels)
-    blocker = blocker_distance(distance_map, *on_map, bias, offsets, search)
-    radius = penumbra_radius(on_map.distance, blocker, *to_texels)
-    return percentage_closer(distance_map, *on_map, bias, offsets, radius)
+    lamp = light_radius * light.clip_from_light[0, 0] * size / 2
+    return percentage_closer_soft(distance_map, *receivers(points, normals, light, size), bias,
+                                  offsets, lamp)
 
 
 def require_disc(light, light_radius, offsets):

@@ -41,16 +41,14 @@ class Settings(NamedTuple):
 class ShadowBuffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
-    distance_map (S, S), and blurred (S, S, 2), its moments. For each point q (N, 3), uv (N, 2) on
-    the map, the moments mean (N, 2) there, and whether it lies inside (N,) the map.
+    distance_map (S, S), its moments (S, S, 2), and of each point q (N, 3) and uv (N, 2) on the
+    map.
     """
 
     distance_map: np.ndarray
-    blurred: np.ndarray
+    moments: np.ndarray
     q: np.ndarray
     uv: np.ndarray
-    mean: np.ndarray
-    inside: np.ndarray
 
 
 def window_sums(picture, radius):
@@ -81,51 +79,64 @@ def box_blur(picture, radius):
     return window_sums(picture, radius) / window_sums(np.ones((*picture.shape[:2], 1)), radius)
 
 
-def box_blur_backward(grad_output, radius):  # extra 14.16 (2 points)
-    """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C).
-
-    >>> box_blur_backward(np.array([[[6.0], [0.0], [0.0], [0.0]]]), 1)[..., 0]
-    array([[3., 3., 0., 0.]])
-    """
+def box_blur_backward(grad_output, radius):
+    """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C)."""
     # A box filter's sums are their own transpose: pixel j is in the square around i where i is in
     # the square around j. Each mean was divided by the number of pixels in its own square.
     count = window_sums(np.ones((*grad_output.shape[:2], 1)), radius)
     return window_sums(grad_output / count, radius)
 
 
-def chebyshev(distance, mean, mean_square, least_variance):  # extra 14.17 (2 points)
-    """Eq. (9), with (8)'s variance: the largest share of the light that can come through -> (N,).
+def lit_by_moments(moments, uv, distance, radius,  # exercise 14.9 (2 points)
+                   least_variance):
+    """Eqs. (8) and (9): the largest share of the light that can come to the receivers -> (N,).
 
-    distance, mean E_0, mean_square E_1 (N,).
+    moments (H, W, 2): each texel's distance and its square. `box_blur` them by radius, and read
+    them at uv (N, 2) by `mipmapping.texture` with boundary="clamp". distance (N,). Unless
+    0 <= u < 1 and 0 <= v < 1, all is lit.
 
-    >>> chebyshev(np.array([2.0, 5.0, 5.0]), np.array([3.0, 3.0, 4.0]), np.array([11, 11, 16.0]), 1)
-    array([1.        , 0.33333333, 0.5       ])
+    >>> moments, distance = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([3.0, 3.0, 2.0, 9.0])
+    >>> uv = np.array([[0.5, 0.5], [0.3, 0.5], [0.5, 0.5], [1.0, 0.5]])
+    >>> lit_by_moments(moments, uv, distance, 0, 0.1).round(9)
+    array([0.5, 0.1, 1. , 1. ])
     """
+    mean, mean_square = mipmapping.texture(box_blur(moments, radius), uv, boundary="clamp").T
     variance = np.maximum(mean_square - mean**2, least_variance)
     beyond = np.maximum(distance - mean, 0)
-    return variance / (variance + beyond**2)
+    inside = ((uv >= 0) & (uv < 1)).all(1)
+    return np.where(inside, variance / (variance + beyond**2), 1.0)
 
 
-def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 (3 points)
-                       least_variance):
-    """Backward of eqs. (8) and (9), `chebyshev`: grad_lit (N,) -> grad_distance, grad_mean,
-    grad_mean_square, each (N,). Where the variance is floored, it is a constant.
+def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.10 (4 points)
+                            radius, least_variance):
+    """Backward of `lit_by_moments`: grad_lit (N,) -> grad_moments (H, W, 2), grad_uv (N, 2),
+    grad_distance (N,). Where the variance is floored, it is a constant.
 
-    >>> E_0, E_1 = np.array([3.0, 3.0]), np.array([12.0, 10.0])                # variances 3 and 2
-    >>> grads = chebyshev_backward(np.ones(2), np.array([5.0, 5.0]), E_0, E_1, 2.0)
-    >>> grads[0] * [49, 36], grads[1] * [49, 36], grads[2] * [49, 36]
-    (array([-12.,  -8.]), array([-12.,   8.]), array([4., 0.]))
+    `box_blur_backward` is given, `mipmapping.texture_backward` returns grad_image, then grad_uv.
+    A light finds its place: `python3 -m course demo --impl labs light_from_shadow`.
+
+    >>> moments, uv = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([[0.5, 0.5]])
+    >>> lit_by_moments_backward(np.ones(1), moments, uv, np.array([3.0]), 0, 0.1)
+    (array([[[-0.25 ,  0.125],
+            [-0.25 ,  0.125]]]), array([[2., 0.]]), array([-0.5]))
     """
-    # p = v / s with s = v + b^2, so dp = b^2 / s^2 dv - 2 v b / s^2 db.
+    # p = v / s with s = v + b^2, so dp = b^2 / s^2 dv - 2 v b / s^2 db. b = d - E_0 beyond E_0, and
+    # dv = dE_1 - 2 E_0 dE_0 above the floor. E was blurred first and read then.
+    blurred = box_blur(moments, radius)
+    mean, mean_square = mipmapping.texture(blurred, uv, boundary="clamp").T
     variance = np.maximum(mean_square - mean**2, least_variance)
     beyond = np.maximum(distance - mean, 0)
-    total = variance + beyond**2
-    grad_beyond = grad_lit * -2 * variance * beyond / total**2
-    grad_mean_square = grad_lit * (beyond / total)**2 * (mean_square - mean**2 > least_variance)
-    return grad_beyond, -grad_beyond - 2 * mean * grad_mean_square, grad_mean_square
+    inside = ((uv >= 0) & (uv < 1)).all(1)
+    by_share = np.where(inside, grad_lit, 0.0) / (variance + beyond**2)**2
+    grad_distance = -2 * by_share * variance * beyond
+    grad_square = by_share * beyond**2 * (mean_square - mean**2 > least_variance)
+    grad_mean = -grad_distance - 2 * mean * grad_square
+    grad_blurred, grad_uv, *_ = mipmapping.texture_backward(
+        np.stack([grad_mean, grad_square], -1), blurred, uv, boundary="clamp")
+    return box_blur_backward(grad_blurred, radius), grad_uv, grad_distance
 
 
-def map_motion(distance_map, clip_from_light):  # extra 14.19 (3 points)
+def map_motion(distance_map, clip_from_light):
     """How far does the content of each texel move on the map when all points move by dq?
 
     distance_map (H, W), finite -> motion (H, W, 2, 3): the derivatives of eq. (2), x and y in
@@ -154,7 +165,7 @@ def moments_of(distance_map):
     return np.stack([distance_map, distance_map**2], -1)
 
 
-def moved_moments(distance_map, motion, move):  # extra 14.20 (4 points)
+def moved_moments(distance_map, motion, move):  # extra 14.11 (4 points)
     """Eq. (10): the moments (H, W, 2) of a map when all points have moved by move (3,).
 
     distance_map d (H, W), motion (H, W, 2, 3). E_a and E_b are d and d^2 before the move. At a
@@ -179,7 +190,7 @@ def moved_moments(distance_map, motion, move):  # extra 14.20 (4 points)
     return moved
 
 
-def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.21 (4 points)
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.12 (4 points)
     """Backward of `moved_moments` with respect to move: grad_moments (H, W, 2) -> grad_move (3,).
 
     distance_map and motion are held.
@@ -222,15 +233,14 @@ def variance_shadow(points, vertices, faces, light, settings):
     the map are lit. ValueError for what does not fit.
     """
     require_settings(settings)
-    distance_map = closed_map(vertices, faces, light, settings.size)
-    blurred = box_blur(moments_of(distance_map), settings.radius)
+    size, *filtered = settings
+    distance_map = closed_map(vertices, faces, light, size)
+    moments = moments_of(distance_map)
     q = shadow_mapping.before_light(points, light)
-    place = shadow_mapping.map_position(q, light.clip_from_light, settings.size, settings.size)
-    uv = np.ascontiguousarray(place) / settings.size
-    mean = mipmapping.texture(blurred, uv, boundary="clamp")
-    inside = ((uv >= 0) & (uv < 1)).all(1)
-    lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
-    return lit, ShadowBuffers(distance_map, blurred, q, uv, mean, inside)
+    place = shadow_mapping.map_position(q, light.clip_from_light, size, size)
+    uv = np.ascontiguousarray(place) / size
+    lit = lit_by_moments(moments, uv, -q[:, 2], *filtered)
+    return lit, ShadowBuffers(distance_map, moments, q, uv)
 
 
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):
@@ -244,18 +254,15 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     """
     # Two ways from q to the shadow, read upwards: the receivers' places and distances (9), (2), and
     # the moments of the map (10). When the light moves, all points of its frame move the other way.
-    size, radius, least_variance = settings
-    distance_map, blurred, q, uv, mean, inside = buffers
-    grad_distance, *grad_mean = chebyshev_backward(
-        np.where(inside, grad_lit, 0.0), -q[:, 2], *mean.T, least_variance)
-    grad_blurred, grad_uv, *_ = mipmapping.texture_backward(
-        np.stack(grad_mean, -1), blurred, uv, boundary="clamp")
+    size, *filtered = settings
+    distance_map, moments, q, uv = buffers
+    grad_moments, grad_uv, grad_distance = lit_by_moments_backward(
+        grad_lit, moments, uv, -q[:, 2], *filtered)
     grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
                                                   size)
     grad_q[:, 2] -= grad_distance
     motion = map_motion(distance_map, light.clip_from_light)
-    grad_move = moved_moments_backward(box_blur_backward(grad_blurred, radius), distance_map,
-                                       motion, np.zeros(3))
+    grad_move = moved_moments_backward(grad_moments, distance_map, motion, np.zeros(3))
     _, grad_position = shadow_mapping.to_light_backward(grad_q, points, light.position,
                                                         light.rotation)
     return grad_position - grad_move @ light.rotation

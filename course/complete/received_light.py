@@ -64,8 +64,8 @@ def lit_from(surface, towards, near):
     light = (lights.point_light(towards / near, vertices) if near > FAR
              else lights.directional_light(-towards, vertices))
     distance_map = shadow_mapping.depth_map(vertices, faces, light, MAP)
-    on_map = shadow_mapping.receivers(vertices, normals, light, MAP)
-    bias = shadow_mapping.slope_scaled_bias(on_map.slope, BIAS, 1.0, 5 * BIAS)
+    on_map = soft_shadows.receivers(vertices, normals, light, MAP)
+    bias = np.minimum(BIAS + np.abs(on_map.slope).sum(1) / 2, 5 * BIAS)
     return soft_shadows.percentage_closer(distance_map, *on_map, bias, AROUND, 1.0)
 
 

@@ -20,7 +20,7 @@
     levels             a coarse ring made smooth, the bunny made coarse
     relaxation         noise smoothed away, thin triangles made rounder
     large_steps        a ball becomes the bunny by large steps
-    shadow             the bunny's shadow on the ground, hard and soft
+    shadow             the bunny's shadow, hard and soft, and a light found by one
     still_life         teapot, bunny, ball and ring by a window
     representations    one shape as a formula, in a grid and as triangles
     hole               a ball becomes a ring, by the distances in a grid

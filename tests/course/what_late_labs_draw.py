@@ -1,7 +1,7 @@
-"""Small runs of the scenes of labs 3, 4 and 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4 and 14 to 17: what a mistake must show in."""
 import numpy as np
 
-from course.given import mesh
+from course.given import mesh, ray_casting
 from course.scenes import (
     aliasing,
     drawing,
@@ -11,6 +11,7 @@ from course.scenes import (
     portrait,
     reconstruct,
     representations,
+    shadow,
     tiles,
     viewing,
 )
@@ -37,6 +38,21 @@ def lab_4(labs):
     yield "a ball with flat colours", goal
     *_, found = msaa.colours_found(labs, seen, goal, len(faces), 3)
     yield "its colours, found", found
+
+
+def shadows(labs):
+    """A ball's shadow, hard and soft, and the begin of a search for its light."""
+    shape, lab14 = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4), labs.variance_shadows
+    light = labs.lights.point_light(shadow.PLACE, shape[0])
+    camera = viewing.clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2])
+    _, *seen = labs.shadow_mapping.visible_points(*shape, camera, 32, 32)
+    given = *seen, light, labs.shadow_mapping.depth_map(*shape, light, 64)
+    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*given, 2e-3, most=0.1)
+    places = ray_casting.disc_offsets(16)
+    yield "the soft shadow", labs.soft_shadows.soft_shadow(*given, 0.4, 1e-2, places)
+    _, *given = shadow.given_shadow(labs, *shape, 16)
+    yield "the search for the light", lab14.fit_position(
+        *given, *shape, shadow.GUESS, lab14.Settings(48, 3, 1e-3), [0.1, 0.05, 0.02])
 
 
 def lab_15(labs):

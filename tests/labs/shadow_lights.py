@@ -5,7 +5,8 @@ import pytest
 # Light from a point and from a direction; their maps are not square.
 CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
 PARALLEL = np.array([[0.4, 0, 0, 0], [0, 0.7, 0, 0], [0, 0, -0.5, -2.0], [0, 0, 0, 1]])
-each_light = pytest.mark.parametrize("light", [CONE, PARALLEL], ids=["cone", "parallel"])
+EACH = {"cone": CONE, "parallel": PARALLEL, "any": CONE + np.diag([0, 0, 0, 0.3])}
+each_light = pytest.mark.parametrize("light", EACH.values(), ids=EACH)
 
 
 def projected(q, light, width, height):

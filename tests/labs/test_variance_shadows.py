@@ -1,164 +1,173 @@
 """What the exercises of lab 14 must do: moments, their blur, and a map that moves."""
 import numpy as np
-from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
+from scipy.ndimage import map_coordinates
 
 from labkit.checks import assert_close, assert_picture, exercise
 
 # --- moments ------------------------------------------------------------------------------------
 
-def square(picture, i, j, radius):
-    """The part of a picture up to radius rows and columns away from [i, j]."""
-    return picture[max(i - radius, 0):i + radius + 1, max(j - radius, 0):j + radius + 1]
-
-
 def each_square(picture, radius, of):
-    """of(the square around it) for each pixel of a picture (H, W, C)."""
-    height, width = picture.shape[:2]
-    return np.array([[of(square(picture, i, j, radius)) for j in range(width)]
-                     for i in range(height)])
+    """of(the square of that radius around it) for each pixel of a picture (H, W, C)."""
+    rows, columns = ([slice(max(k - radius, 0), k + radius + 1) for k in range(side)]
+                     for side in picture.shape[:2])
+    return np.array([[of(picture[row, column]) for column in columns] for row in rows])
 
 
-@exercise("14.16")
-def test_a_pixel_gives_to_all_squares_that_hold_it(impl):
-    """The gradient is blurred: divided after the sum, by the pixel's own number, and not before. It
-    is not divided at all, or twice, or by the number of a whole square, also at the border. The
-    neighbours get nothing.
-    """
-    grad = np.array([[0.0, 6.0, 0.0, 8.0]])[..., None]
-    assert_close(impl.box_blur_backward(grad, 1), np.array([[2.0, 2.0, 6.0, 4.0]])[..., None])
+def at_centres(mean, mean_square):
+    """A map of one row with these moments, and the places (N, 2) of its texels' centres."""
+    uv = (np.arange(len(mean)) + 0.5) / len(mean)
+    return np.stack([mean, mean_square], -1)[None], np.stack([uv, np.full(len(mean), 0.5)], -1)
 
 
-@exercise("14.16")
-def test_the_gradients_of_the_blur_are_central_differences(impl, rng, gradcheck):
-    """grad_output is given to the wrong neighbours, or channels are mixed."""
-    gradcheck(lambda picture: each_square(picture, 2, lambda part: part.mean((0, 1))),
-              lambda grad, picture: impl.box_blur_backward(grad, 2),
-              (rng.normal(size=(4, 7, 3)),), name="box_blur")
-
-
-@exercise("14.17")
+@exercise("14.9")
 def test_lit_shares_on_paper(impl):
     """The variance is not E_1 - E_0^2: the squared mean is not subtracted, or not squared, or a
     root is taken, the standard deviation. The near side is dark, too, or instead. distance - E_0 is
     not squared. It is the dark share. least_variance is added, or the most.
     """
-    got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
-                         np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
+    given = at_centres([3.0, 4.0, 2.0, 3.0, 3.0], [13.0, 25.0, 5.0, 13.0, 13.0])
+    got = impl.lit_by_moments(*given, np.array([7.0, 8.0, 5.0, 4.0, 2.0]), 0, 0.125)
     # The variances are 4, 9, 1, 4, 4, the distances beyond the mean 4, 4, 3, 1 and none.
     assert_close(got, [4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0])
 
 
-@exercise("14.17")
+@exercise("14.9")
 def test_the_variance_has_a_floor(impl):
     """The floor least_variance is left out, or added in place of a maximum. Rounding can make the
     variance negative: its absolute value is not the floor.
     """
-    got = impl.chebyshev(np.array([5.0, 4.0, 6.0, 5.0]), np.array([3.0, 3.0, 3.0, 3.0]),
-                         np.array([9.0, 8.0, 9.25, 9.5]), 0.5)
+    given = at_centres([3.0, 3.0, 3.0, 3.0], [9.0, 8.0, 9.25, 9.5])
+    got = impl.lit_by_moments(*given, np.array([5.0, 4.0, 6.0, 5.0]), 0, 0.5)
     assert_close(got, [1 / 9, 1 / 3, 1 / 19, 1 / 9])
 
 
-@exercise("14.17")
+@exercise("14.9")
 def test_two_flat_surfaces_have_their_share(impl, rng):
-    """A wall before a wall: the lit share of the one behind is its share of the filter."""
-    share, near, behind = rng.uniform(0.1, 0.9, 20), rng.uniform(1, 2, 20), rng.uniform(3, 4, 20)
-    mean = (1 - share) * near + share * behind
-    mean_square = (1 - share) * near**2 + share * behind**2
-    assert_close(impl.chebyshev(behind, mean, mean_square, 1e-6), share)
+    """The map is not blurred, or the distance is, and squared then. A wall before a wall: the lit
+    share of the one behind is its share of the blur.
+    """
+    behind = rng.random((1, 30)) < 0.5
+    distance_map = np.where(behind, 4.0, 1.5)
+    moments, uv = at_centres(distance_map[0], distance_map[0]**2)
+    share = each_square(behind[..., None], 3, np.mean)[0]
+    assert_close(impl.lit_by_moments(moments, uv, np.full(30, 4.0), 3, 1e-9), share, atol=1e-8)
 
 
-def lit_share(distance, mean, mean_square, least=0.3):
-    """Eq. (9), number by number."""
-    variance = [max(b - a * a, least) for a, b in zip(mean, mean_square, strict=True)]
-    return np.array([v / (v + (d - a)**2) if d > a else 1.0
-                     for d, a, v in zip(distance, mean, variance, strict=True)])
+OUTSIDE = np.array([[-0.01, 0.5], [1.0, 0.5], [0.5, -0.2], [0.5, 1.0], [0.0, 0.0], [0.99, 0.99]])
 
 
-@exercise("14.18")
-def test_gradients_of_the_share_on_paper(impl):
+@exercise("14.9")
+def test_outside_the_map_all_is_lit(impl):
+    """It goes on there as at the border, or at the other side; the border itself is off by one."""
+    got = impl.lit_by_moments(np.full((2, 3, 2), [2.0, 5.0]), OUTSIDE, np.full(6, 5.0), 1, 0.1)
+    assert_close(got, [1.0, 1.0, 1.0, 1.0, 0.1, 0.1])
+
+
+def means(moments, uv, radius=1):
+    """The blurred moments, read at uv (N, 2) as if the border of the map went on: each (N,)."""
+    blurred = each_square(moments, radius, lambda part: part.mean((0, 1)))
+    at = (uv * [moments.shape[1], moments.shape[0]] - 0.5).T[::-1]
+    return [map_coordinates(one, at, order=1, mode="nearest") for one in blurred.transpose(2, 0, 1)]
+
+
+def share(moments, uv, distance):
+    """Eqs. (8) and (9) within the map."""
+    mean, square = means(moments, uv)
+    variance = np.where(square - mean**2 > 0.3, square - mean**2, 0.3)
+    return np.where(distance > mean, variance / (variance + (distance - mean)**2), 1.0)
+
+
+def a_map(rng):
+    """Moments of a map, of which a part is flat, places on it, distances there."""
+    distance_map = rng.uniform(1, 4, (5, 7))
+    distance_map[:, 4:] = 2.0
+    return (np.stack([distance_map, distance_map**2], -1), rng.uniform(0, 1, (40, 2)),
+            rng.uniform(1.5, 5, 40))
+
+
+@exercise("14.9")
+def test_the_blurred_map_is_read_between_texels(impl, rng):
+    """It is read at the nearest texel, or wrapped at the border; u and v are swapped."""
+    given = a_map(rng)
+    assert_close(impl.lit_by_moments(*given, 1, 0.3), share(*given))
+
+
+@exercise("14.10")
+def test_gradients_on_paper(impl):
     """The near side, where the share is 1, has a gradient. Quotient rule: the variance is in
     numerator and denominator, which is squared. A sign, a 2 or grad_lit is lost. The mean's part by
     variance or distance is forgotten. A finite difference is inexact.
     """
     # v = 4, b = 4: by the distance -2 v b / 400, by the variance b^2 / 400 = 1/25. And so on.
-    got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
-                                  np.array([7.0, 8.0, 5.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0]),
-                                  np.array([13.0, 25.0, 5.0, 13.0]), 0.125)
-    assert_close(got, ([-2.0, -7.2, 3.0, 0.0], [-4.0, -5.6, 15.0, 0.0], [1.0, 1.6, -4.5, 0.0]))
+    given = at_centres([3.0, 4.0, 2.0, 3.0], [13.0, 25.0, 5.0, 13.0])
+    moments, _, distance = impl.lit_by_moments_backward(
+        np.array([25.0, 62.5, -50.0, 25.0]), *given, np.array([7.0, 8.0, 5.0, 2.0]), 0, 0.125)
+    assert_close(distance, [-2.0, -7.2, 3.0, 0.0])
+    assert_close(moments, [[[-4.0, 1.0], [-5.6, 1.6], [15.0, -4.5], [0.0, 0.0]]])
 
 
-@exercise("14.18")
+@exercise("14.10")
 def test_a_floored_variance_has_no_gradient(impl):
     """The floor least_variance hands a gradient on to the moments; there the variance is a
     constant. Or all gradients are 0 there: that by the distance, and the mean's part of it, stay.
     """
-    got = impl.chebyshev_backward(np.array([25.0, 50.0, 30.25, 4.0]),
-                                  np.array([5.0, 5.0, 5.0, 4.0]), np.full(4, 3.0),
-                                  np.array([9.0, 9.5, 10.5, 9.75]), 1.0)
+    given = at_centres(np.full(4, 3.0), [9.0, 9.5, 10.5, 9.75])
+    moments, _, distance = impl.lit_by_moments_backward(
+        np.array([25.0, 50.0, 30.25, 4.0]), *given, np.array([5.0, 5.0, 5.0, 4.0]), 0, 1.0)
     # The variances are 1, 1, 3/2, 1. By the distance: -2 v b / (v + b^2)^2, say -4/25 at first.
-    assert_close(got, ([-4.0, -8.0, -6.0, -2.0], [4.0, 8.0, -18.0, 2.0], [0.0, 0.0, 4.0, 0.0]))
+    assert_close(distance, [-4.0, -8.0, -6.0, -2.0])
+    assert_close(moments, [[[4.0, 0.0], [8.0, 0.0], [-18.0, 4.0], [2.0, 0.0]]])
 
 
-@exercise("14.18")
-def test_the_gradients_of_the_share_are_central_differences(impl, rng, gradcheck):
-    """grad_lit is ignored; a sign is lost; a variance under the floor is taken as it is."""
-    mean, variance = rng.uniform(2, 4, 12), rng.uniform(0.4, 1.5, 12)
-    distance, variance[:6] = mean + rng.uniform(-1, 2, 12), rng.uniform(0.0, 0.2, 6)
-    distance[:4] = mean[:4] + rng.uniform(0.5, 2, 4)
-    mean_square = mean**2 + variance
-    gradcheck(lambda d, a, b: lit_share(d, a, b),
-              lambda grad, d, a, b: impl.chebyshev_backward(grad, d, a, b, 0.3),
-              (distance, mean, mean_square),
-              decisions=lambda d, a, b: (d > a, b - a**2 > 0.3), name="chebyshev")
+@exercise("14.10")
+def test_outside_the_map_there_is_no_gradient(impl):
+    """Receivers outside of it hand a gradient on; the border itself is off by one."""
+    moments, uv, distance = impl.lit_by_moments_backward(
+        np.full(6, 50.0), np.full((2, 3, 2), [2.0, 5.0]), OUTSIDE, np.full(6, 5.0), 1, 0.1)
+    assert_close(distance, [0.0, 0.0, 0.0, 0.0, -3.0, -3.0])
+    assert_close(moments.sum((0, 1)), [-30.0, 9.0])
+
+
+def decided(moments, uv, distance):
+    """Where `share` has a bend: at texels, the floor, the near side."""
+    mean, square = means(moments, uv)
+    return np.floor(uv * [7, 5] - 0.5), square - mean**2 > 0.3, distance > mean
+
+
+@exercise("14.10")
+def test_the_gradient_by_the_distance_is_a_central_difference(impl, rng, gradcheck):
+    """A variance under the floor is taken as it is; the quotient rule is cut short."""
+    gradcheck(share, lambda grad, *given: impl.lit_by_moments_backward(grad, *given, 1, 0.3)[2],
+              a_map(rng), differentiable=[2], decisions=decided, name="lit_by_moments")
+
+
+@exercise("14.10")
+def test_the_gradient_by_the_place_is_a_central_difference(impl, rng, gradcheck):
+    """It is that with respect to texels, or of the map before its blur, or is left out."""
+    gradcheck(share, lambda grad, *given: impl.lit_by_moments_backward(grad, *given, 1, 0.3)[1],
+              a_map(rng), differentiable=[1], decisions=decided, name="lit_by_moments")
+
+
+@exercise("14.10")
+def test_the_gradient_by_the_moments_is_a_central_difference(impl, rng, gradcheck):
+    """The blur's way back is left out, or is a blur; the look-up's is left out."""
+    gradcheck(share, lambda grad, *given: impl.lit_by_moments_backward(grad, *given, 1, 0.3)[0],
+              a_map(rng), differentiable=[0], decisions=decided, name="lit_by_moments")
 
 
 # --- a map that moves ---------------------------------------------------------------------------
-
-@exercise("14.19")
-def test_the_middle_stays_and_the_border_runs_outwards_on_paper(impl):
-    """By q_z it is 0, as if w were held, or the sign is wrong, or that of w: q_z is -distance.
-    C_32, a half or a w is lost. It is measured from the map's corner, not its middle, or at the
-    texel's, not its centre. y has x's factors. Rows and columns are swapped.
-    """
-    # 2 C is the same light as C, with w = 2 distance.
-    distance_map = np.array([[3.0, 1.5, 6.0], [2.0, 0.5, 4.5]])
-    expected = np.zeros((2, 3, 2, 3))
-    expected[..., 0, 0] = 2.25 / distance_map                            # 3 x 3/2 / w
-    expected[..., 1, 1] = 2 / distance_map                               # 4 x 1 / w
-    expected[..., 0, 2] = [[-1 / 3, 0.0, 1 / 6], [-0.5, 0.0, 2 / 9]]     # -1, 0, 1 from the middle
-    expected[..., 1, 2] = [[-1 / 6, -1 / 3, -1 / 12], [0.25, 1.0, 1 / 9]]
-    assert_close(impl.map_motion(distance_map, 2 * CONE), expected)
-    got = impl.map_motion(distance_map, PARALLEL)
-    assert_close(got, np.broadcast_to([[0.6, 0, 0], [0, 0.7, 0]], (2, 3, 2, 3)))
-
-
-@exercise("14.19")
-@each_light
-def test_motion_is_the_slope_of_the_place(impl, rng, light):
-    """A factor of x in y; the distance of another texel; C_33 is left out of w."""
-    light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
-    distance_map, h = rng.uniform(1, 5, (3, 5)), 1e-5
-    expected = np.zeros((3, 5, 2, 3))
-    for i, j, axis in np.ndindex(3, 5, 3):
-        q = point_at(j + 0.5, i + 0.5, distance_map[i, j], light, 5, 3)
-        ends = np.array([q + h * np.eye(3)[axis], q - h * np.eye(3)[axis]])
-        ahead, behind = projected(ends, light, 5, 3)[0]
-        expected[i, j, :, axis] = (ahead - behind) / (2 * h)
-    assert_close(impl.map_motion(distance_map, light), expected, rtol=1e-6, atol=1e-8)
-
 
 def moved(distance_map, motion, move):
     """Eq. (10), pair by pair."""
     height, width = distance_map.shape
     before = np.stack([distance_map, distance_map**2], -1)
     after = np.stack([distance_map - move[2], (distance_map - move[2])**2], -1)
-    for i, j in np.ndindex(height, width):
-        for axis, other in (0, (i, j + 1)), (1, (i + 1, j)):
-            if other[0] < height and other[1] < width:
-                front = other if distance_map[other] < distance_map[i, j] else (i, j)
-                change = (motion[front][axis] @ move) / 2 * (before[other] - before[i, j])
-                after[i, j] -= change
-                after[other] -= change
+    for axis, i, j in np.ndindex(2, height, width):
+        other = i + axis, j + 1 - axis
+        if other[0] < height and other[1] < width:
+            front = other if distance_map[other] < distance_map[i, j] else (i, j)
+            change = (motion[front][axis] @ move) / 2 * (before[other] - before[i, j])
+            after[[i, i + axis], [j, j + 1 - axis]] -= change
     return after
 
 
@@ -166,7 +175,7 @@ STEP = np.array([[1.0, 1.0, 3.0, 3.0]])
 ACROSS = np.eye(2, 3) * np.array([5.0, 2.0, 2 / 3, 7.0])[:, None, None][None]  # texels to a unit
 
 
-@exercise("14.20")
+@exercise("14.11")
 def test_a_step_moves_with_the_nearer_side(impl):
     """With the farther side, or both. To the left: the sign. Pixels change by the whole jump, not
     by half of it. Only the texel on one side of a border changes, or the other one with the
@@ -179,7 +188,7 @@ def test_a_step_moves_with_the_nearer_side(impl):
     assert_close(got, [[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]])
 
 
-@exercise("14.20")
+@exercise("14.11")
 def test_without_steps_only_the_distance_changes(impl):
     """move_z is forgotten or has the wrong sign; the squares are not those of the new distances."""
     flat = np.full((3, 4), 2.0)
@@ -187,7 +196,7 @@ def test_without_steps_only_the_distance_changes(impl):
     assert_close(got, np.broadcast_to([1.5, 2.25], (3, 4, 2)))
 
 
-@exercise("14.20")
+@exercise("14.11")
 def test_every_pair_moves_its_border(impl, rng):
     """Steps E_b - E_a are taken from what other pairs have changed already, or after the move; a
     pair, or an axis, is left out.
@@ -199,7 +208,7 @@ def test_every_pair_moves_its_border(impl, rng):
     assert_close(got, moved(distance_map, motion, move))
 
 
-@exercise("14.21")
+@exercise("14.12")
 def test_the_gradient_of_a_step_on_paper(impl):
     """By x and y: the sign, the half, or one of a border's two texels, is lost, or the farther one
     moves it. By z: the gradient through the distances is missing, or that of the square (second
@@ -216,7 +225,7 @@ def test_the_gradient_of_a_step_on_paper(impl):
     assert_close(got, [-16.0, 18.0, -14.5])
 
 
-@exercise("14.21")
+@exercise("14.12")
 def test_the_gradients_of_the_move_are_central_differences(impl, rng, gradcheck):
     """The second moment's part is forgotten, or is 2 d: it is 2 (d - move_z), of the moved
     distance. The texel in front is not that of the forward pass.

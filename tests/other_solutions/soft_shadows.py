@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from reference.shadow_mapping import is_lit, stored_distance
+from reference.shadow_mapping import stored_distance
 
 
 def on_plane(place, distance, slope, step):
@@ -17,8 +17,8 @@ def places(distance_map, place, distance, slope, bias, offsets, radius):
     for offset in offsets:
         step = np.broadcast_to(radius, len(place))[:, None] * offset
         there, plane = on_plane(place, distance, slope, step)
-        lit.append(is_lit(distance_map, there, plane, bias))
         stored.append(stored_distance(distance_map, there))
+        lit.append(plane - stored[-1] <= bias)
     return np.array(lit).T, np.array(stored).T
 
 
@@ -27,7 +27,13 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
     return [sum(row.tolist()) / len(row) for row in lit]
 
 
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    wide = light_radius * clip_from_light[0, 0] * width / 2
-    return np.array([wide * (d - b) / (d * b) if b < d else 0.0
-                     for d, b in zip(distance, blocker, strict=True)])
+def percentage_closer_soft(distance_map, place, distance, slope, bias, offsets, lamp):
+    def radius(blockers):
+        return [lamp * (d - b) / (d * b) if b < d else 0.0
+                for d, b in zip(distance, blockers, strict=True)]
+
+    given = distance_map, place, distance, slope, bias, offsets
+    around = places(*given, radius(np.full(len(place), distance_map.min())))
+    blockers = [np.inf if lit.all() else stored[~lit].mean()
+                for lit, stored in zip(*around, strict=True)]
+    return percentage_closer(*given, radius(blockers))

@@ -5,7 +5,7 @@ import shadow_scenes
 from shadow_scenes import LIGHTS, PLACE, camera, each_light, refused, scene, small_scene
 
 from course.given import mesh, ray_casting
-from reference import lights, shadow_mapping
+from reference import lights, shadow_mapping, soft_shadows
 
 
 def blocked(origin, toward, a, b, c):
@@ -114,21 +114,19 @@ def test_what_does_not_fit_a_shadow_is_one_sentence():
     refused("names vertex", shadow_mapping.depth_map, vertices, outside, light, 8)
     refused("names vertex", ray_casting.ray_cast, points, vertices, outside, light)
     refused("finite points", ray_casting.ray_cast, lost, vertices, faces, light)
-    refused("finite points", shadow_mapping.receivers, lost, lost, light, 8)
+    refused("finite points", soft_shadows.receivers, lost, lost, light, 8)
     refused("finite points", shadow_mapping.hard_shadow, lost, lost, light, distance_map, 1e-3)
-    refused("before the light", shadow_mapping.receivers, points + 2 * PLACE, normals, light, 8)
-    refused("before the light", shadow_mapping.receivers, PLACE[None], normals[:1], light, 8)
-    refused("one normal for each point", shadow_mapping.receivers, points, normals[:3], light, 8)
+    refused("before the light", soft_shadows.receivers, points + 2 * PLACE, normals, light, 8)
+    refused("before the light", soft_shadows.receivers, PLACE[None], normals[:1], light, 8)
+    refused("one normal for each point", soft_shadows.receivers, points, normals[:3], light, 8)
     refused("at least one cell", ray_casting.ray_cast, points, vertices, faces, light, 0)
     refused("expects a point light", ray_casting.area_light_truth, points, vertices, faces, sun,
             0.1, offsets)
     refused("at least one place", ray_casting.disc_offsets, 0)
-    np.testing.assert_array_equal(
-        shadow_mapping.depth_map(vertices.tolist(), faces.tolist(), light, 8),
-        shadow_mapping.depth_map(vertices, faces, light, 8))
-    np.testing.assert_array_equal(
-        ray_casting.ray_cast(points.tolist(), vertices.tolist(), faces.tolist(), light),
-        ray_casting.ray_cast(points, vertices, faces, light))
+    for read in (lambda shape, points: shadow_mapping.depth_map(*shape, light, 8),
+                 lambda shape, points: ray_casting.ray_cast(points, *shape, light)):
+        np.testing.assert_array_equal(read((vertices.tolist(), faces.tolist()), points.tolist()),
+                                      read((vertices, faces), points))
     for make in LIGHTS.values():
         assert np.isfinite(make(vertices.tolist()).clip_from_light).all()
 
@@ -138,10 +136,10 @@ def test_a_map_without_texels_is_one_sentence(size):
     """A division by zero, a shape that NumPy refuses, or a map of -1 texels."""
     vertices, faces, points, normals = small_scene()
     light = LIGHTS["point"](vertices)
-    with pytest.raises(ValueError, match=f"depth_map expects a whole number .* 1, got {size}"):
-        shadow_mapping.depth_map(vertices, faces, light, size)
-    with pytest.raises(ValueError, match=f"receivers expects a whole number .* 1, got {size}"):
-        shadow_mapping.receivers(points, normals, light, size)
+    refused(f"depth_map expects a whole number .* 1, got {size}", shadow_mapping.depth_map,
+            vertices, faces, light, size)
+    refused(f"receivers expects a whole number .* 1, got {size}", soft_shadows.receivers,
+            points, normals, light, size)
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (8, 0), (4, 8), (8,)])

@@ -1,6 +1,8 @@
 """Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
 import numpy as np
 import pytest
+import shadow_scenes
+from shadow_lights import CONE, PARALLEL, point_at, projected
 from shadow_scenes import LIGHTS, PLACE, camera, on_the_ground, scene, small_scene
 
 from course.given import mesh, ray_casting
@@ -27,6 +29,19 @@ def test_a_map_of_integers_moves_like_one_of_floats():
         np.testing.assert_allclose(got, expected, rtol=1e-12)
 
 
+@pytest.mark.parametrize("light", [CONE, PARALLEL])
+def test_motion_is_the_slope_of_the_place(light):
+    """A sign; a factor of x in y; the distance of another texel; C_33 is left out of w."""
+    light = light + np.diag([0, 0, 0, 0.3])
+    distance_map = np.random.default_rng(0).uniform(1, 5, (3, 5))
+    got = variance_shadows.map_motion(distance_map, light)
+    for i, j, axis in np.ndindex(3, 5, 3):
+        ends = point_at(j + 0.5, i + 0.5, distance_map[i, j], light, 5, 3) + 1e-5 * np.outer(
+            [1, -1], np.eye(3)[axis])
+        ahead, behind = projected(ends, light, 5, 3)[0]
+        np.testing.assert_allclose(got[i, j, :, axis], (ahead - behind) / 2e-5, 1e-6, atol=1e-8)
+
+
 def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
     """A part of the way from the position to the shadow is missing, or has another sign."""
     vertices, faces = scene(slab, lift=0.35)
@@ -41,48 +56,49 @@ def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
                                                  -light.rotation @ (position - light.position))
         q = shadow_mapping.to_light(points, position, light.rotation)
         uv = shadow_mapping.map_position(q, light.clip_from_light, size, size) / size
-        blurred = variance_shadows.box_blur(moments, radius)
-        return -q[:, 2], *mipmapping.texture(blurred, uv, boundary="clamp").T, uv
+        return moments, np.ascontiguousarray(uv), -q[:, 2]
 
     def forward(position):
-        return variance_shadows.chebyshev(*looked_up(position)[:3], 1e-3)
+        return variance_shadows.lit_by_moments(*looked_up(position), radius, 1e-3)
 
     def backward(grad_lit, position):
         return variance_shadows.variance_shadow_backward(grad_lit, buffers, points, light, settings)
 
     def decisions(position):
-        distance, mean, mean_square, uv = looked_up(position)
+        moments, uv, distance = looked_up(position)
+        blurred = variance_shadows.box_blur(moments, radius)
+        mean, mean_square = mipmapping.texture(blurred, uv, boundary="clamp").T
         return distance > mean, mean_square - mean**2 > 1e-3, np.floor(uv * size - 0.5)
 
     assert (forward(light.position) < 0.5).any()
     gradcheck(forward, backward, (light.position,), decisions=decisions, name="variance_shadow")
 
 
+def fitted(place, off, points, size, rates):
+    """The bunny's vertices, and a fit to its true shadow at points (N, 3) that begins off place."""
+    vertices, faces = scene(lift=0.35)
+    target = ray_casting.ray_cast(points, vertices, faces, lights.point_light(place, vertices))
+    return vertices, variance_shadows.fit_position(
+        target, points, vertices, faces, place + off,
+        variance_shadows.Settings(size, size // 32, 1e-3), rates)
+
+
 @pytest.mark.parametrize("off", [[0.6, 0.4, -0.6], [0.5, -0.5, 0.4]])
 def test_a_light_is_found_by_its_shadow(off):
     """The fit ends farther than 2 % of the scene's size from the light."""
-    vertices, faces = scene(lift=0.35)
     from_above = camera((1.6, 2.8, 0.8))                 # the bunny does not hide its shadow
-    points, _ = on_the_ground(vertices, faces, 64, 64, from_above)
-    target = ray_casting.ray_cast(points, vertices, faces, LIGHTS["point"](vertices))
-    path = variance_shadows.fit_position(
-        target, points, vertices, faces, PLACE + off, variance_shadows.Settings(192, 6, 1e-3),
-        inverse_rendering.decay(0.08, 0.1, 100))
-    size = np.linalg.norm(np.ptp(vertices, axis=0))
-    distance = np.linalg.norm(path - PLACE, axis=1) / size
+    points, _ = on_the_ground(*scene(lift=0.35), 64, 64, from_above)
+    vertices, path = fitted(PLACE, off, points, 192, inverse_rendering.decay(0.08, 0.1, 100))
+    distance = np.linalg.norm(path - PLACE, axis=1) / np.linalg.norm(np.ptp(vertices, axis=0))
     assert distance[0] > 0.15 and distance[-1] < 0.02
 
 
 @pytest.mark.parametrize("off", [[0.5, -0.4, 0.3], [0.9, -0.9, -0.5]])
 def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
     """A step too far, and the fit ends with point_light's refusal."""
-    vertices, faces = scene(lift=0.35)
-    place = np.array([-3.0, 2.2, 1.0])
-    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 32, 28)
-    target = ray_casting.ray_cast(points, vertices, faces, lights.point_light(place, vertices))
-    path = variance_shadows.fit_position(
-        target, points, vertices, faces, place + off, variance_shadows.Settings(64, 3, 1e-3),
-        inverse_rendering.decay(0.5, 0.1, 12))
+    _, points, _ = shadow_mapping.visible_points(*scene(lift=0.35), camera(), 32, 28)
+    vertices, path = fitted(np.array([-3.0, 2.2, 1.0]), off, points, 64,
+                            inverse_rendering.decay(0.5, 0.1, 12))
     assert len(path) == 13
     for position in path:
         lights.point_light(position, vertices)
@@ -108,10 +124,9 @@ def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
     def refused(match, size=8, radius=1, least_variance=1e-3, points=points, faces=faces,
                 target=None):
         target = np.ones(len(points)) if target is None else target
-        with pytest.raises(ValueError, match=match):
-            variance_shadows.position_loss(
-                target, points, vertices, faces, light,
-                variance_shadows.Settings(size, radius, least_variance))
+        settings = variance_shadows.Settings(size, radius, least_variance)
+        shadow_scenes.refused(match, variance_shadows.position_loss, target, points, vertices,
+                              faces, light, settings)
 
     refused("one number for each point", target=np.ones((len(points), 1)))
     refused("at least one point", points=points[:0])
