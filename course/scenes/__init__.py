@@ -9,6 +9,7 @@
     small              squares on pixels' centres, a ball cut open: pixel by pixel
     aliasing           a zone plate made smaller in three ways
     msaa               a silhouette with more and more samples in a pixel
+    floor              a floor to the horizon, a texture that finds its place
     reflections        what a mirror shows: directions, footprints, surroundings
     fit_vertices       a triangle finds its place from the colours inside of it
     fit_triangle       a triangle finds its template by its edges alone

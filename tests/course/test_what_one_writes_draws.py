@@ -15,9 +15,9 @@ from labkit import exercises
 from labkit.upkeep import mistakes
 
 # Topics of which every core exercise is in what draws: the renderer with its fits, or a scene.
-DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradients",
-                   "rasterizer_gradients", "antialiasing", "outlines", "outline_walk",
-                   "inverse_rendering", "pipeline"),
+DRAWING = {shown: ("transforms", "rasterization", "interpolation", "texturing", "mipmapping",
+                   "vertex_gradients", "rasterizer_gradients", "antialiasing", "outlines",
+                   "outline_walk", "inverse_rendering", "pipeline"),
            surfaces: ("regularization", "remeshing"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),
            lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}
