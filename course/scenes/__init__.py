@@ -17,6 +17,7 @@
     fit_pose           how a known cube is turned
     fit_texture        a globe's texture, with and without mipmaps
     fit_bunny          a ball becomes the bunny
+    cubes              faces with texture cubes, and a ball that finds its place
     fit_outlines       one silhouette, three gradients
     levels             a coarse ring made smooth, the bunny made coarse
     relaxation         noise smoothed away, thin triangles made rounder

@@ -1,8 +1,9 @@
-"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 10 and 15 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh
 from course.scenes import (
+    cubes,
     drawing,
     fit_volume,
     hole,
@@ -12,6 +13,13 @@ from course.scenes import (
     tiles,
     viewing,
 )
+
+
+def lab_10(labs):
+    """A small ball of texture cubes, and the first steps of its way."""
+    ball = cubes.striped(labs, *cubes.small_ball())
+    yield "the ball", cubes.picture(labs, ball, 24)
+    yield "its way", np.array(cubes.fit(labs, ball, 24, 3))
 
 
 def lab_15(labs):
