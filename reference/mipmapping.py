@@ -76,7 +76,7 @@ def pyramid(image, max_level=None):  # exercise 6.6 (2 points)
     return tuple(levels)
 
 
-def pyramid_backward(grad_levels):  # extra 6.11 (3 points)
+def pyramid_backward(grad_levels):  # extra 6.10 (3 points)
     """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
     grad_levels: a tuple of arrays with the levels' shapes. Each level hands its gradient down.
@@ -120,7 +120,7 @@ def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
         return np.log2((A + B) / 2 + np.sqrt((A - B)**2 / 4 + C**2)) / 2
 
 
-def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.14 (3 points)
+def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 points)
     """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
@@ -220,7 +220,7 @@ def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
     return index.T.copy(), weight.T.copy(), inside.T  # a look-up reads them row by row
 
 
-def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 6.13 (4 points)
+def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 6.12 (4 points)
     """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
 
     Inside, a weight is share * row's weight * column's weight. Trilinear shares are 1 - f and f,

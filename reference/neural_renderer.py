@@ -130,7 +130,7 @@ def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.2 (2 points)
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.6 (3 points)
+def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.5 (3 points)
                                       inverse, z, x, y):
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).

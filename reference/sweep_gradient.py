@@ -26,7 +26,7 @@ from course.given.arrays import EDGES, chunks, expand, scatter
 from . import neural_renderer
 
 
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # step 10.7
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # step 10.6
     """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), (P, 2).
 
     The minus is included: their sum over the pixels is g. grad_colour, colour, beyond (P, C):
@@ -46,7 +46,7 @@ def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # step 10.7
     return -pull * share / np.where(share > 0, scaled, 1)
 
 
-def sweep_lines(grad_colour, colour, sees, crossing,  # exercise 10.8 (4 points)
+def sweep_lines(grad_colour, colour, sees, crossing,  # exercise 10.7 (4 points)
                 side, share, eps=1e-4):
     """K lines of pixels, each crossed by an edge: the gradients (K, 2) of the edges' ends, in ndc.
 

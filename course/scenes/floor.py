@@ -5,11 +5,10 @@ What moves is three numbers: where the texture begins, u and v, and the bias of 
 import numpy as np
 
 from ..given import image as pictures
-from .drawing import enlarged, save
+from .drawing import enlarged, painted, save
 
 CORNERS = np.array([[-90.0, -1, 5], [90, -1, 5], [90, -1, -90], [-90, -1, -90]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
-SKY = np.array([0.52, 0.74, 1.0])
 MOVED = np.array([0.04, -0.03, 0.6])  # u, v and the bias that are looked for
 RATES = np.array([0.1, 0.1, 20])
 FILTERS = "nearest", "linear", "linear-mipmap-linear"
@@ -20,7 +19,7 @@ def floor(labs):
     image, (seen, uv, jacobian) = tiles(), looked_at(labs, 220, 124)
     for filter_mode in FILTERS:
         colour = labs.mipmapping.texture(image, uv, jacobian, filter_mode=filter_mode)
-        yield filter_mode, save("floor", filter_mode, enlarged(below_sky(seen, colour), 3))
+        yield filter_mode, save("floor", filter_mode, enlarged(pictures.to_srgb(painted(seen, colour)), 3))
     x = fit(labs, 48, 27)[-1]
     off = 64 * np.abs(x - MOVED)[:2].max()
     yield (f"its texture, moved and blurred, is found: {off:.2f} texels off, bias {x[2]:.2f}", None,
@@ -65,10 +64,3 @@ def tiles(size=64):
     ring = np.abs(np.hypot(x % 1 - 0.5, y % 1 - 0.5) - 0.3) < 0.08
     light = ((np.floor(x) + np.floor(y)) % 2 == 0) ^ ring
     return np.where(light[..., None], [1.0, 0.74, 0.52], [0.1, 0.16, 0.3])
-
-
-def below_sky(seen, colour):
-    """Colours (N, 3) of the pixels that see the floor -> a picture (H, W, 3) to look at."""
-    picture = np.tile(SKY, (*seen.shape, 1))
-    picture[seen] = colour
-    return pictures.to_srgb(picture)

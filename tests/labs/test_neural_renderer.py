@@ -123,7 +123,7 @@ AT = np.array(2.0), np.array(0.5)  # in RIGHT: w = (1, 2, 1) / 4, and with Z the
 Z = np.array([1.0, 4.0, 2.0])
 
 
-@exercise("10.6")
+@exercise("10.5")
 def test_depth_alone_has_a_gradient_by_z(impl):
     """In output 2, grad_z = depth^2 w / z^2: depth^2 is left out, z is not squared, or the sign is
     wrong.
@@ -134,7 +134,7 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     assert_close(grad_z, [8.0, 1.0, 2.0])
 
 
-@exercise("10.6")
+@exercise("10.5")
 def test_depth_depends_on_the_inverse_through_the_weights(impl):
     """The way from depth through the weights is left out of grad_inverse. The sum that they are
     divided by is taken for a constant. (x, y, 1) is in another order.
@@ -146,7 +146,7 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
     assert_close(grad_inverse, [[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
 
 
-@exercise("10.6")
+@exercise("10.5")
 def test_the_sum_of_the_weights_cannot_change(impl):
     """The division by the sum is left out of the gradient: the sum is taken for a constant."""
     inverse, one = inverse_of(SLANTED), np.array(3.0)
@@ -155,7 +155,7 @@ def test_the_sum_of_the_weights_cannot_change(impl):
     assert_close(got, (np.zeros((3, 3)), np.zeros(3)), atol=1e-12)
 
 
-@exercise("10.6")
+@exercise("10.5")
 def test_what_is_clamped_has_no_gradient(impl):
     """The clamp is forgotten: a c_k below 0 or above 1 gets a gradient, too. Or nothing is divided
     by the sum of the clamped. Or grad_weight is not used.
@@ -170,7 +170,7 @@ def test_what_is_clamped_has_no_gradient(impl):
     assert_close(got, (expected, np.zeros(3)), atol=1e-9)
 
 
-@exercise("10.6")
+@exercise("10.5")
 @pytest.mark.parametrize("reach", [0.9, 3.0])
 def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach, gradcheck):
     """A term is left out: the sum's, that of depth through the weights, or outside of the face the
@@ -189,7 +189,7 @@ def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach
               name="weights and depth")
 
 
-@exercise("10.6", fine_print=True)
+@exercise("10.5", fine_print=True)
 def test_only_what_the_clamp_changes_has_no_gradient(impl):
     """A c_k of exactly 0 or 1 counts as clamped, by < for <= or > for >=. It keeps its gradient."""
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])).round()

@@ -4,7 +4,7 @@ import pytest
 
 from labkit.checks import assert_close, assert_equal, exercise
 
-@exercise("10.7")
+@exercise("10.6")
 def test_two_pixels_pull_on_paper(impl):
     """The minus is left out: descent must take the edge to the pixel. The difference of the colours
     has the wrong sign, or grad_colour is left out. way loses its sign, as an absolute value. The
@@ -17,7 +17,7 @@ def test_two_pixels_pull_on_paper(impl):
     assert_close(got, [[-3 / 2, -3 / (2 / 3)], [2 / 1, 2 / (1 / 3)]])
 
 
-@exercise("10.7")
+@exercise("10.6")
 def test_channels_are_added_before_the_loss_is_asked(impl):
     """max(0, ...) is taken of each channel, before their sum. Or it is their mean."""
     grad_colour = np.array([[-3.0, 1.0], [3.0, 1.0], [2.0, 7.0]])
@@ -27,7 +27,7 @@ def test_channels_are_added_before_the_loss_is_asked(impl):
     assert_close(got, [[-4 / 1.5, -4 / 3], [0.0, 0.0], [-5 / 1.5, -5 / 3]])
 
 
-@exercise("10.7")
+@exercise("10.6")
 def test_every_pixel_pulls_on_its_own_edge(impl, rng):
     """Pixels are mixed, or are added up: each has its own row. Or no pixel at all is an error."""
     for count in 0, 1, 7:
@@ -41,7 +41,7 @@ def test_every_pixel_pulls_on_its_own_edge(impl, rng):
         assert_close(got, expected)
 
 
-@exercise("10.7")
+@exercise("10.6")
 def test_a_pixel_outside_pulls_as_in_the_original(impl):
     """eps is scaled or left out, or way is not divided by the share.
 
@@ -55,7 +55,7 @@ def test_a_pixel_outside_pulls_as_in_the_original(impl):
     assert_close(got, [[1.67258, 1.41987]], rtol=1e-5)
 
 
-@exercise("10.7", fine_print=True)
+@exercise("10.6", fine_print=True)
 def test_an_end_without_a_share_gets_nothing(impl):
     """way / share with a share of 0 is a division by 0: NaN where the pixel lies on the crossing.
     """
@@ -78,7 +78,7 @@ def edge(crossing, side, share=(0.5, 0.5)):
     return np.array([crossing]), np.array([side]), np.array([share])
 
 
-@exercise("10.8")
+@exercise("10.7")
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_pixel_outside_calls_the_edge(impl, side):
     """It asks to shine as the inner pixel does. way is in pixels, or not to the pixel's centre, or
@@ -90,7 +90,7 @@ def test_a_pixel_outside_calls_the_edge(impl, side):
     assert_close(got, [[-1.2 * side, -3.6 * side]])
 
 
-@exercise("10.8")
+@exercise("10.7")
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
     """At a distance of 0, eps is taken for negative, as neural_renderer's own code does, whichever
@@ -101,7 +101,7 @@ def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
     assert_close(got, [[side * 100.0, side * 100.0]])
 
 
-@exercise("10.8")
+@exercise("10.7")
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_centre_just_beyond_the_crossing_is_outside(impl, side):
     """inner is the pixel that the crossing lies in, or its centres are not at j + 1/2."""
@@ -110,7 +110,7 @@ def test_a_centre_just_beyond_the_crossing_is_outside(impl, side):
     assert_close(got, np.full((1, 2), -side / (0.02 * 4 / 9)))
 
 
-@exercise("10.8")
+@exercise("10.7")
 def test_a_hidden_edge_does_not_move_out(impl):
     """Another face hides the edge, and outside pixels call it. Or the face's own pixels, farther
     in, do not pull it in.
@@ -122,7 +122,7 @@ def test_a_hidden_edge_does_not_move_out(impl):
         assert_close(got, np.full((1, 2), -expected))
 
 
-@exercise("10.8")
+@exercise("10.7")
 def test_an_edge_at_the_border_of_the_picture_has_no_gradient(impl, rng):
     """Inner or outer outside of the picture: an index that goes round, or the last pixel twice. Or
     a border that is one pixel too wide.
@@ -137,7 +137,7 @@ def test_an_edge_at_the_border_of_the_picture_has_no_gradient(impl, rng):
     assert_equal((got[8:] != 0).all(1), np.ones(5, bool))
 
 
-@exercise("10.8")
+@exercise("10.7")
 def test_a_line_is_a_sum_over_its_pixels(impl, rng):
     """Pixel by pixel: one of the two sums is lost, or a pixel is counted in both. A change that
     raises the loss counts, or each channel alone. Lines are mixed. eps is on one side only.

@@ -3,6 +3,8 @@ import math
 
 import numpy as np
 
+from reference.mipmapping import Mipmap, Sampler, mixture, nearest_at, texels_at  # noqa: F401
+
 
 def halve(image):
     if image.shape[0] > 1:
@@ -35,55 +37,30 @@ def blend_levels(level, top):
     return lower, np.where(lower < top, lower + 1, top), np.array(clamped) - lower
 
 
-def shares(level, filter_mode, top):
-    """Every level (N,) that a pixel may mix, its share, and the share's slope."""
-    at = np.clip(level, 0, top)
-    if filter_mode == "linear-mipmap-linear":
-        lower, upper, part = blend_levels(level, top)
-        slope = np.where(at == level, 1.0, 0.0) * (at > 0) * (at < top)
-        return [(lower, 1 - part, -slope), (upper, part, slope)]
-    only = at.astype(int) if "mipmap" in filter_mode else np.zeros(len(level), int)
-    return [(only, np.ones(len(level)), np.zeros(len(level)))]
-
-
-def tents(uv, width, height, boundary):
-    """number, weight, slope along u, slope along v, inside: lists of four (N,), row by row."""
-    found = []
-    x, y = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
-    for up, right in np.ndindex(2, 2):
-        j, i = np.floor(x) + right, np.floor(y) + up
-        by_x, by_y = 1 - np.abs(x - j), 1 - np.abs(y - i)
-        inside = (j >= 0) & (j < width) & (i >= 0) & (i < height) | (boundary != "zero")
-        j, i = ((np.mod(k, n) if boundary == "wrap" else np.clip(k, 0, n - 1))
-                for k, n in ((j, width), (i, height)))
-        found.append(((i * width + j).astype(int), by_x * by_y * inside,
-                      (2 * right - 1) * by_y * width * inside,
-                      (2 * up - 1) * by_x * height * inside, inside))
-    return zip(*found, strict=True)
-
-
 def taps(uv, level, mipmap, sampler):
-    columns = []
-    for at, share, _ in shares(level, sampler.filter_mode, len(mipmap.width) - 1):
-        width, height = mipmap.width[at], mipmap.height[at]
-        if sampler.filter_mode == "nearest":
-            uv = (np.floor(uv * np.array([width, height]).T) + 0.5) / np.array([width, height]).T
-        number, weight, _, _, inside = tents(uv, width, height, sampler.boundary)
-        count = 1 if sampler.filter_mode == "nearest" else 4
-        columns += [(mipmap.start[at] + number[k], share * weight[k], inside[k])
-                    for k in range(count)]
-    return tuple(np.column_stack(part) for part in zip(*columns, strict=True))
+    texels = nearest_at if sampler.filter_mode == "nearest" else texels_at
+    looks = mixture(level, sampler.filter_mode, len(mipmap.width) - 1)
+    found = np.array([texels(uv, mipmap.width[at], mipmap.height[at], sampler.boundary)
+                      for at, _ in looks])  # level, what, texel, pixel: all as numbers
+    found[:, 0] += np.stack([mipmap.start[at] for at, _ in looks])[:, None]
+    found[:, 1] *= np.stack([share for _, share in looks])[:, None]
+    index, weight, inside = np.moveaxis(found, 1, 0).reshape(3, -1, len(uv)).swapaxes(1, 2)
+    return index.astype(int), weight, inside > 0
 
 
 def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
-    grads = iter(np.where(inside, grad_weight, 0).T)
-    by_u, by_v, by_level = np.zeros((3, len(uv)))
-    if sampler.filter_mode != "nearest":
-        for at, share, slope in shares(level, sampler.filter_mode, len(mipmap.width) - 1):
-            _, *parts = tents(uv, mipmap.width[at], mipmap.height[at], sampler.boundary)
-            for weight, along_u, along_v, _ in zip(*parts, strict=True):
-                grad = next(grads)
-                by_u += grad * share * along_u
-                by_v += grad * share * along_v
-                by_level += grad * slope * weight
-    return np.column_stack([by_u, by_v]), by_level
+    grads, by_uv, by_level = np.where(inside, grad_weight, 0).T, np.zeros((2, len(uv))), 0 * level
+    if sampler.filter_mode == "nearest":
+        return by_uv.T, by_level
+    free = (sampler.filter_mode == "linear-mipmap-linear") & (level > 0) & (
+        level < len(mipmap.width) - 1)
+    ends, looks = np.array([-1, 1]), mixture(level, sampler.filter_mode, len(mipmap.width) - 1)
+    for k, (at, share) in enumerate(looks):
+        size = np.array([mipmap.width[at], mipmap.height[at]])
+        part = (uv.T * size - 0.5) % 1
+        across, along = np.array([1 - part, part]).swapaxes(0, 1)  # two columns, two rows
+        grad = grads[4 * k:4 * k + 4].reshape(2, 2, -1)
+        by_uv += share * size * [np.einsum("ijn,in,j->n", grad, along, ends),
+                                 np.einsum("ijn,i,jn->n", grad, ends, across)]
+        by_level = by_level + ends[k] * free * np.einsum("ijn,in,jn->n", grad, along, across)
+    return by_uv.T, by_level
