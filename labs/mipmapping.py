@@ -68,7 +68,7 @@ def pyramid(image, max_level=None):  # exercise 6.6 (2 points)
     raise NotImplementedError("exercise 6.6: pyramid")
 
 
-def pyramid_backward(grad_levels):  # extra 6.11 (3 points)
+def pyramid_backward(grad_levels):  # extra 6.10 (3 points)
     """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
     grad_levels: a tuple of arrays with the levels' shapes. Each level hands its gradient down.
@@ -109,7 +109,7 @@ def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
     raise NotImplementedError("exercise 6.7: mip_level")
 
 
-def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.14 (3 points)
+def mip_level_backward(grad_level, jacobian, width, height):
     """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
@@ -117,8 +117,8 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.14 (3 po
     array([[[2., 0.],
             [0., 0.]]])
 
-    Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
-    and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
+    Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There, and only
+    there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
     (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
     A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y
@@ -201,7 +201,7 @@ def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
     raise NotImplementedError("exercise 6.9: taps")
 
 
-def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 6.13 (4 points)
+def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 6.12 (4 points)
     """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
 
     Inside, a weight is share * row's weight * column's weight. Trilinear shares are 1 - f and f,
@@ -215,7 +215,7 @@ def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 
     ...               Sampler("linear-mipmap-linear", "wrap", None))
     (array([[ 1.5, -6. ]]), array([0.5]))
     """
-    raise NotImplementedError("exercise 6.13: taps_backward")
+    raise NotImplementedError("exercise 6.12: taps_backward")
 
 
 def footprint_level(footprint, mipmap, filter_mode):

@@ -132,7 +132,7 @@ def look_up(texels, index, weight):  # step 6.3
     raise NotImplementedError("exercise 6.3: look_up")
 
 
-def look_up_backward(grad_colour, texels, index, weight):  # extra 6.10 (3 points)
+def look_up_backward(grad_colour, texels, index, weight):
     """Backward of `look_up`: grad_colour (N, C) -> grad_texels (T, C), grad_weight (N, K).
 
     A texel may be named many times, in one row and in several. Its gradients add up.
@@ -186,7 +186,7 @@ def near_texture(x, boundary):
     return x - np.trunc(x) if boundary == "wrap" else np.clip(x, -1, 2)
 
 
-def bilinear_backward(grad_weight, uv, width, height):  # step 6.12
+def bilinear_backward(grad_weight, uv, width, height):  # step 6.11
     """Backward of eqs. (2) and (3): grad_weight (N, 4) of 2 x 2 texels -> grad_uv (N, 2).
 
     weight[:, 2 i + j] = row[i] column[j], where row[i] comes from v and height by `linear_texels`,
@@ -195,10 +195,9 @@ def bilinear_backward(grad_weight, uv, width, height):  # step 6.12
     >>> bilinear_backward(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[0.125, 0.1875]]), 8, 4)
     array([[2., 2.]])
 
-    Fine print. The weights have a corner on a texel's centre. There the derivative is that for a
-    larger u or v, as floor in eq. (2) has it.
+    The weights have a corner on a texel's centre: there it is that for a larger u or v.
     """
-    raise NotImplementedError("exercise 6.12: bilinear_backward")
+    raise NotImplementedError("exercise 6.11: bilinear_backward")
 
 
 def footprint_points(uv, jacobian, n):  # extra 6.4 (2 points)

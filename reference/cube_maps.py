@@ -60,7 +60,7 @@ SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 # --- directions and faces ------------------------------------------------------------------------
 
-def on_face(directions):  # extra 6.14 (2 points)
+def on_face(directions):  # extra 6.13 (2 points)
     """Eqs. (10) and (11): directions (N, 3), not 0 -> face (N,), uv (N, 2) where they meet it.
 
     FRAMES[face] has the rows right, down and out.
@@ -124,7 +124,7 @@ def texel_directions(size):
     return direction_to(face, uv).reshape(6, size, size, 3)
 
 
-def across_edge(face, column, row, size):  # extra 6.15 (3 points)
+def across_edge(face, column, row, size):  # extra 6.14 (3 points)
     """The texel that stands for one beyond its face's edge -> face, column, row, all (N,).
 
     All (N,), integers: one of column and row is -1 or size. The direction to the centre of the

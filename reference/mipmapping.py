@@ -120,7 +120,7 @@ def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
         return np.log2((A + B) / 2 + np.sqrt((A - B)**2 / 4 + C**2)) / 2
 
 
-def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 points)
+def mip_level_backward(grad_level, jacobian, width, height):
     """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
@@ -128,8 +128,8 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 po
     array([[[2., 0.],
             [0., 0.]]])
 
-    Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
-    and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
+    Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There, and only
+    there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
     (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
     A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y

@@ -67,14 +67,14 @@ def texels_beyond(size):
 
 # --- directions and faces ------------------------------------------------------------------------
 
-@exercise("6.14")
+@exercise("6.13")
 def test_an_axis_meets_the_middle_of_its_face(impl):
     """The faces are in another order, or the sign of the largest coordinate is left out."""
     directions = np.repeat(np.eye(3), 2, 0) * np.array([[3.0], [-3], [2], [-2], [5], [-5]])
     assert_close(impl.on_face(directions), (np.arange(6), np.full((6, 2), 0.5)))
 
 
-@exercise("6.14")
+@exercise("6.13")
 def test_each_face_has_its_own_right_and_down(impl):
     """A face is mirrored or turned: right and down are exchanged, or those of another face. The
     division by m is left out, or is by m with its sign, or (u, v) goes from -1 to 1.
@@ -82,7 +82,7 @@ def test_each_face_has_its_own_right_and_down(impl):
     assert_close(impl.on_face(DIRECTIONS), (np.arange(6), PLACES))
 
 
-@exercise("6.14")
+@exercise("6.13")
 def test_only_the_way_counts_and_not_the_length(impl, rng):
     """A direction is taken as if its length, or its largest coordinate, were 1."""
     directions = some_directions(rng)
@@ -91,7 +91,7 @@ def test_only_the_way_counts_and_not_the_length(impl, rng):
                                             [uv for _, uv in expected]))
 
 
-@exercise("6.14", fine_print=True)
+@exercise("6.13", fine_print=True)
 def test_on_an_edge_the_first_face_counts(impl):
     """The last of several largest coordinates is taken, or a random one."""
     directions = np.array([[1.0, 1, 1], [-1, 1, 1], [0.5, -1, 1], [-2, -2, 1], [0, 3, -3]])
@@ -102,7 +102,7 @@ def test_on_an_edge_the_first_face_counts(impl):
 
 # --- seams ---------------------------------------------------------------------------------------
 
-@exercise("6.15")
+@exercise("6.14")
 def test_around_the_belt_a_row_goes_on(impl):
     """Beyond an edge the same face begins again (wrap) or its border goes on (clamp). Left and
     right are exchanged, or the column is that of the far side.
@@ -113,7 +113,7 @@ def test_around_the_belt_a_row_goes_on(impl):
     assert_equal(got, ([1, 4, 0, 5, 0, 5, 1, 4], np.array([7] * 4 + [0] * 4), row))
 
 
-@exercise("6.15")
+@exercise("6.14")
 def test_above_and_below_it_may_turn(impl):
     """The column stays the column on all faces. On the top and on the bottom it becomes a row, or
     is counted from the other end.
@@ -124,7 +124,7 @@ def test_above_and_below_it_may_turn(impl):
     assert_equal(got, ([2, 3, 2, 3, 2, 3], [2, 2, 7, 7, 5, 5], [7, 0, 5, 2, 0, 7]))
 
 
-@exercise("6.15")
+@exercise("6.14")
 def test_the_texels_share_their_piece_of_the_edge(impl):
     """At one of the 12 edges, seen from one of its faces, the row of texels is turned or another.
     Or it is right for one size only.
@@ -135,7 +135,7 @@ def test_the_texels_share_their_piece_of_the_edge(impl):
         assert_equal(got, tuple(answers.T), f"all texels beyond an edge, size={size}")
 
 
-@exercise("6.15")
+@exercise("6.14")
 def test_each_texel_may_be_of_another_level(impl, rng):
     """One size is taken for all: in a pyramid they differ from pixel to pixel."""
     parts = [(size, *texels_beyond(size)) for size in (2, int(rng.integers(5, 30)), 1)]
