@@ -1,23 +1,16 @@
-"""The pyramid of lab 6 once more: singular values by SVD, every level straight down."""
+"""The pyramid of lab 6 once more: singular values by SVD, all taps of a level at once."""
 import math
 
 import numpy as np
 
-from reference.mipmapping import Mipmap, Sampler, mixture, nearest_at, texels_at  # noqa: F401
-
-
-def halve(image):
-    if image.shape[0] > 1:
-        image = 0.5 * image[::2] + 0.5 * image[1::2]
-    if image.shape[1] > 1:
-        image = 0.5 * image[:, ::2] + 0.5 * image[:, 1::2]
-    return image
+from reference.mipmapping import halve, mixture, nearest_at, texels_at
 
 
 def pyramid(image, max_level=None):
     height, width, _ = np.shape(image)
     last = math.inf if max_level is None else max_level
-    if last == 0 or height == width == 1 or height > 1 < height % 2 + 1 or width > 1 < width % 2 + 1:
+    odd = any(side > 1 and side % 2 for side in (height, width))
+    if last == 0 or odd or height == width == 1:
         return (image,)
     return image, *pyramid(halve(image), last - 1)
 
@@ -29,12 +22,6 @@ def texels_a_pixel(jacobian, width, height):
 def mip_level(jacobian, width, height):
     lengths = np.linalg.svd(texels_a_pixel(jacobian, width, height), compute_uv=False)[:, 0]
     return [math.log2(length) if length > 0 else -math.inf for length in lengths]
-
-
-def blend_levels(level, top):
-    clamped = [min(max(at, 0.0), float(top)) for at in level]
-    lower = np.array([int(at) for at in clamped], int)
-    return lower, np.where(lower < top, lower + 1, top), np.array(clamped) - lower
 
 
 def taps(uv, level, mipmap, sampler):

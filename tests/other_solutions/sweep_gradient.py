@@ -2,15 +2,6 @@
 import numpy as np
 
 
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    terms = np.zeros(np.shape(share))
-    for j, end in np.ndindex(terms.shape):
-        gain = float(grad_colour[j] @ colour[j] - grad_colour[j] @ beyond[j])
-        if gain > 0 and share[j, end]:
-            terms[j, end] = -gain / (way[j] / share[j, end] + eps[j])
-    return terms
-
-
 def sweep_lines(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
     width, total = len(colour[0]), np.zeros((len(colour), 2))
     centres = np.arange(width) + 0.5
