@@ -109,8 +109,7 @@ def face_inverse_backward(grad_inverse, inverse):
 def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.2 (2 points)
     """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth z (...).
 
-    inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...). The faces of
-    `python3 -m course demo --impl labs cubes` hide each other by its depth.
+    inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...). Faces hide each other by it.
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> x, y = np.array([1.0, 0.0]), np.array([1.0, 0.0])  # two points
@@ -126,8 +125,7 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.5 
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
 
-    depth depends on z directly, and on inverse through weight.
-    `python3 -m course demo --impl labs cubes` finds by it where the colours inside of faces lie.
+    depth depends on z directly, and on inverse through weight. Colours inside of faces pull by it.
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> z, x, y = np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0)

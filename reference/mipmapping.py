@@ -202,9 +202,8 @@ def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
     """Eqs. (3) and (7): all texels that make a pixel's colour: index, weight, inside (N, K).
 
     uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the given `nearest_at`. The
-    given `mixture` says which levels, and their shares. Level l of the Mipmap has
-    width[l] x height[l] texels, from number start[l] on.
-    The floor of `python3 -m course demo --impl labs floor` is calm to the horizon with it.
+    given `mixture` says which levels, and their shares. Level l of the Mipmap begins at number
+    start[l]. The floor of `python3 -m course demo --impl labs floor` is calm far away with it.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> how = Sampler("linear-mipmap-linear", "wrap", None)

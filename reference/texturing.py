@@ -61,8 +61,8 @@ def nearest_texel(x, size):
 def linear_texels(x, size):  # step 6.1
     """Eq. (2): the two texels around x, which is u or v, along an axis of size texels.
 
-    x and size (...) -> index (2, ...), the integers j and j + 1, also outside of the texture, and
-    weight (2, ...).
+    x and size (...) -> index (2, ...), j and j + 1, also outside of the texture, and weight
+    (2, ...).
 
     >>> linear_texels(np.array([0.375, 0.25, 0.025]), 4)
     (array([[ 1,  0, -1],
@@ -100,13 +100,11 @@ def each_pair(combine, rows, columns):
 
 
 def texels_at(uv, width, height, boundary):  # exercise 6.2 (3 points)
-    """Eqs. (2) and (3): the 2 x 2 texels around each place uv (N, 2) -> index, weight, inside
-    (4, N).
+    """Eqs. (2) and (3): the 2 x 2 texels around uv (N, 2) -> index, weight, inside (4, N).
 
-    Texels count row by row: [i, j] has the number width i + j. The four are those of the lower row,
-    then of the upper, each from left to right. width, height: numbers, or (N,). boundary: what the
-    given `standing` takes. Where not inside, the weight is 0.
-    The floor of `python3 -m course demo --impl labs floor` has no steps near you with it.
+    Texels count row by row: [i, j] has the number width i + j. First comes the lower row. width,
+    height: numbers, or (N,). boundary is for the given `standing`. Where not inside, the weight is
+    0. `python3 -m course demo --impl labs floor` is smooth near you with it.
 
     >>> index, weight, _ = texels_at(np.array([[0.5, 0.1875]]), 4, 4, "wrap")
     >>> index.T, weight.T
