@@ -131,8 +131,9 @@ def mip_level_backward(grad_level, jacobian, width, height):
     Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There, and only
     there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
-    (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
-    A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y
+    s, t = in_texels(jacobian, width, height)
+    A, B = s**2 + t**2
+    C = s[0] * s[1] + t[0] * t[1]
     S = (A + B) / 2
     R = np.sqrt((A - B)**2 / 4 + C**2)
     # level = ln(S + R) / (2 ln 2), with dS = (dA + dB)/2 and dR = (A - B)/(4 R) (dA - dB) + C/R dC.
@@ -141,8 +142,9 @@ def mip_level_backward(grad_level, jacobian, width, height):
     grad_A = grad_sum / 2 + by_root * (A - B) / 4
     grad_B = grad_sum / 2 - by_root * (A - B) / 4
     grad_C = by_root * C
-    grad_s = width * np.stack([2 * grad_A * s_x + grad_C * s_y, 2 * grad_B * s_y + grad_C * s_x])
-    grad_t = height * np.stack([2 * grad_A * t_x + grad_C * t_y, 2 * grad_B * t_y + grad_C * t_x])
+    grad_lengths = 2 * np.stack([grad_A, grad_B])
+    grad_s = width * (grad_lengths * s + grad_C * s[::-1])
+    grad_t = height * (grad_lengths * t + grad_C * t[::-1])
     return np.moveaxis(np.stack([grad_s, grad_t]), -1, 0)
 
 
