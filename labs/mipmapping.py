@@ -8,10 +8,9 @@ The equations go on from those of texturing.py; (u, v) and J are as there.
     A = s_x^2 + t_x^2,  B = s_y^2 + t_y^2,  C = s_x s_y + t_x t_y,  s = w u,  t = h v        (6)
     trilinear = (1 - f) T_l + f T_(l+1),  l = floor(level),  f = level - l                   (7)
 
-s_x is ds/dx. (J must be in texels: with u and v as they are, nearly all levels are negative.)
-Beyond the lecture, as nvdiffrast has it: a bias is added to the level, and then it is clamped to
-the pyramid. All levels together are one long T, so a look-up is still one row of M. Where numba is
-installed, course/fast/texel_kernels.py runs in place of what is marked `has_kernels`.
+s_x is ds/dx. Beyond the lecture, as nvdiffrast has it: a bias is added to the level, and then it is
+clamped to the pyramid. All levels together are one long T, so a look-up is still one row of M. With
+numba, course/fast/texel_kernels.py runs in place of what is marked `has_kernels`.
 
 Sources: Williams 1983 (5), (7); lecture "Differentiable graphics 1" (6); nvdiffrast.
 """
@@ -25,12 +24,11 @@ from .texturing import (
     Footprint,
     Sampler,
     bilinear_backward,
-    each_pair,
     in_parts,
-    linear_texels,
     look_up,
     look_up_backward,
     near_texture,
+    nearest_at,
     require_gradient,
     require_texture,
     texels_at,
@@ -46,51 +44,34 @@ class Mipmap(NamedTuple):
     start: np.ndarray            # (L,) the number of its first texel
 
 
-def halve(image):  # exercise 6.9 (1 point)
+def halve(image):  # step 6.5
     """Eq. (5): the next level of a pyramid, floats (h, w, C) of even sides -> (h / 2, w / 2, C).
 
     >>> halve(np.array([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])[..., None])[..., 0]
     array([[4., 3.]])
 
-    Fine print. A side of 1 stays 1, and a mean is then of two texels. So the pyramid of a texture
-    that is not square ends in one texel, too.
+    A side of 1 stays 1, and a mean is then of two texels.
     """
-    raise NotImplementedError("exercise 6.9: halve")
+    raise NotImplementedError("exercise 6.5: halve")
 
 
-def halve_backward(grad_half, image):  # extra 6.10 (2 points)
-    """Backward of `halve`: grad_half -> grad_image (h, w, C), as large as image.
+def pyramid(image, max_level=None):  # exercise 6.6 (2 points)
+    """Eq. (5): all levels (T_0, T_1, ...), from image (h, w, C) itself down to 1 x 1 texel.
 
-    >>> halve_backward(np.array([[4.0, 8.0]])[..., None], np.zeros((2, 4, 1)))[..., 0]
-    array([[1., 1., 2., 2.],
-           [1., 1., 2., 2.]])
+    It ends at level max_level, if that is a number, and where a side is odd and not 1. (nvdiffrast
+    refuses such a texture.)
+    The far half of `python3 -m course demo --impl labs floor` is drawn with them.
 
-    Fine print. Where a side of the image is 1, a mean is of two texels.
+    >>> [level.shape for level in pyramid(np.zeros((12, 4, 3)))]
+    [(12, 4, 3), (6, 2, 3), (3, 1, 3)]
     """
-    rows, columns = np.minimum(image.shape[:2], 2)
-    return (grad_half / (rows * columns)).repeat(columns, 1).repeat(rows, 0)
+    raise NotImplementedError("exercise 6.6: pyramid")
 
 
-def pyramid(image, max_level=None):
-    """Eq. (5): (T_0, T_1, ...), from image (h, w, C) down to 1 x 1, or to level max_level.
-
-    It ends earlier where a side is odd and not 1. nvdiffrast refuses such a texture, unless
-    max_level ends the pyramid there.
-    """
-    levels = [np.asarray(image, float)]
-    while max_level is None or len(levels) <= max_level:
-        sides = levels[-1].shape[:2]
-        if max(sides) == 1 or any(side > 1 and side % 2 for side in sides):
-            break
-        levels.append(halve(levels[-1]))
-    return tuple(levels)
-
-
-def pyramid_backward(grad_levels):  # extra 6.11 (2 points)
+def pyramid_backward(grad_levels):  # extra 6.10 (3 points)
     """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
-    grad_levels: a tuple of arrays with the levels' shapes, each the gradient of a level as if it
-    stood alone. Each level was made of the one before it, and hands its gradient down.
+    grad_levels: a tuple of arrays with the levels' shapes. Each level hands its gradient down.
 
     >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0], [0.0]], [[0.0], [0.0]]])
     >>> pyramid_backward((np.zeros((4, 4, 1)), middle, top))[..., 0]
@@ -99,9 +80,11 @@ def pyramid_backward(grad_levels):  # extra 6.11 (2 points)
            [1., 1., 1., 1.],
            [1., 1., 1., 1.]])
     """
+    # A mean of n texels gives each of them a share of 1/n.
     grad = grad_levels[-1]
     for grad_level in grad_levels[-2::-1]:
-        grad = grad_level + halve_backward(grad, grad_level)
+        rows, columns = np.minimum(grad_level.shape[:2], 2)
+        grad = grad_level + (grad / (rows * columns)).repeat(columns, 1).repeat(rows, 0)
     return grad
 
 
@@ -111,16 +94,11 @@ def in_texels(jacobian, width, height):
     return np.multiply(np.moveaxis(jacobian, 0, -1), scale, order="C")  # long rows are faster
 
 
-def column_products(s, t):
-    """A, B and C of eq. (6): both columns of J, squared, and their product. s, t (2, N)."""
-    return (*(s**2 + t**2), s[0] * s[1] + t[0] * t[1])
-
-
-def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
+def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
     """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
     jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, of u and v from 0 to 1. The texture has
-    width x height texels.
+    width x height texels. The far floor of `python3 -m course demo --impl labs floor` needs it.
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.0, 0.03125], [0.0625, 0.0]]])
     >>> mip_level(jacobian, 16, 16)
@@ -128,10 +106,10 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
 
     Fine print. J = 0 has the level -inf. Leave it so: `blend_levels` takes it for 0.
     """
-    raise NotImplementedError("exercise 6.12: mip_level")
+    raise NotImplementedError("exercise 6.7: mip_level")
 
 
-def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 points)
+def mip_level_backward(grad_level, jacobian, width, height):
     """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
@@ -139,11 +117,12 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 po
     array([[[2., 0.],
             [0., 0.]]])
 
-    Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
-    and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
+    Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There, and only
+    there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
-    (s_x, s_y), (t_x, t_y) = s, t = in_texels(jacobian, width, height)
-    A, B, C = column_products(s, t)
+    s, t = in_texels(jacobian, width, height)
+    A, B = s**2 + t**2
+    C = s[0] * s[1] + t[0] * t[1]
     S = (A + B) / 2
     R = np.sqrt((A - B)**2 / 4 + C**2)
     # level = ln(S + R) / (2 ln 2), with dS = (dA + dB)/2 and dR = (A - B)/(4 R) (dA - dB) + C/R dC.
@@ -152,12 +131,13 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 po
     grad_A = grad_sum / 2 + by_root * (A - B) / 4
     grad_B = grad_sum / 2 - by_root * (A - B) / 4
     grad_C = by_root * C
-    grad_s = width * np.stack([2 * grad_A * s_x + grad_C * s_y, 2 * grad_B * s_y + grad_C * s_x])
-    grad_t = height * np.stack([2 * grad_A * t_x + grad_C * t_y, 2 * grad_B * t_y + grad_C * t_x])
+    grad_lengths = 2 * np.stack([grad_A, grad_B])
+    grad_s = width * (grad_lengths * s + grad_C * s[::-1])
+    grad_t = height * (grad_lengths * t + grad_C * t[::-1])
     return np.moveaxis(np.stack([grad_s, grad_t]), -1, 0)
 
 
-def blend_levels(level, top):  # exercise 6.14 (2 points)
+def blend_levels(level, top):  # step 6.8
     """Eq. (7): the two levels that a pixel mixes: integers lower, upper and the fraction f (N,).
 
     level (N,) is first clamped to [0, top], where top is the pyramid's last level. upper is at most
@@ -166,14 +146,13 @@ def blend_levels(level, top):  # exercise 6.14 (2 points)
     >>> blend_levels(np.array([-np.inf, 0.25, 1.5, 2.0, 7.0]), 2)
     (array([0, 0, 1, 2, 2]), array([1, 1, 2, 2, 2]), array([0.  , 0.25, 0.5 , 0.  , 0.  ]))
     """
-    raise NotImplementedError("exercise 6.14: blend_levels")
+    raise NotImplementedError("exercise 6.8: blend_levels")
 
 
 def blend_levels_backward(grad_fraction, level, top):
     """Backward of `blend_levels`: grad_fraction (N,) -> grad_level (N,).
 
-    0 unless 0 < level < top, because a clamped level does not change. At both ends it counts as
-    clamped. On a whole level between them, the next level counts.
+    0 unless 0 < level < top: a clamped level does not change. On a whole level the next counts.
 
     >>> blend_levels_backward(np.array([5.0, 5.0, 5.0, 5.0]), np.array([-1.0, 0.0, 1.0, 2.0]), 2)
     array([0., 0., 5., 0.])
@@ -208,43 +187,36 @@ def mixture(level, filter_mode, top):
     return [(lower, 1 - fraction), (upper, fraction)]
 
 
-def taps(uv, level, mipmap, sampler):
-    """The texels that make a colour: index, weight, inside (N, K), K = 1, 4, or 8 for trilinear.
+def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
+    """Eqs. (3) and (7): all texels that make a pixel's colour: index, weight, inside (N, K).
 
-    uv (N, 2), level (N,) before it is clamped. Where not inside, the weight is 0.
+    uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the given `nearest_at`. The
+    given `mixture` says which levels, and their shares. Level l of the Mipmap begins at number
+    start[l]. The floor of `python3 -m course demo --impl labs floor` is calm far away with it.
+
+    >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
+    >>> how = Sampler("linear-mipmap-linear", "wrap", None)
+    >>> taps(np.array([[0.5, 0.1875]]), np.array([0.75]), mipmap, how)[0]
+    array([[ 1,  2,  5,  6, 18, 19, 16, 17]])
     """
-    found = []
-    for at, share in mixture(level, sampler.filter_mode, len(mipmap.start) - 1):
-        index, weight, inside = texels_at(uv, mipmap.width[at], mipmap.height[at],
-                                          sampler.filter_mode, sampler.boundary)
-        found.append((mipmap.start[at] + index, share * weight, inside))
-    index, weight, inside = map(np.concatenate, zip(*found, strict=True))
-    return index.T.copy(), weight.T.copy(), inside.T  # a look-up reads them row by row
+    raise NotImplementedError("exercise 6.9: taps")
 
 
-def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
+def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 6.12 (4 points)
     """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
+
+    Inside, a weight is share * row's weight * column's weight. Trilinear shares are 1 - f and f,
+    and the given `blend_levels_backward` goes from f to the level. All else has none.
+    `python3 -m course demo --impl labs floor` finds by it where a texture lies, and how blurred.
+
+    >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
+    >>> look = np.array([[0.5, 0.1875]]), np.array([0.75]), mipmap
+    >>> grad_weight = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 8.0, 0.0, 0.0]])  # of number 19
+    >>> taps_backward(grad_weight, grad_weight > 0, *look,
+    ...               Sampler("linear-mipmap-linear", "wrap", None))
+    (array([[ 1.5, -6. ]]), array([0.5]))
     """
-    grad_uv = np.zeros(uv.shape)
-    grad_level = np.zeros(level.shape)
-    if sampler.filter_mode == "nearest":
-        return grad_uv, grad_level
-    top = len(mipmap.start) - 1
-    looks = mixture(level, sampler.filter_mode, top)
-    grads = np.split(grad_weight.T.copy() * inside.T, len(looks))
-    trilinear = sampler.filter_mode == "linear-mipmap-linear"
-    grad_share = []
-    # Inside, a tap's weight is share * (row weight) (column weight).
-    for (at, share), grad in zip(looks, grads, strict=True):
-        width, height = mipmap.width[at], mipmap.height[at]
-        grad_uv += bilinear_backward((share * grad).T, uv, width, height)
-        if trilinear:
-            _, column_weight = linear_texels(uv[:, 0], width)
-            _, row_weight = linear_texels(uv[:, 1], height)
-            grad_share.append((grad * each_pair(np.multiply, row_weight, column_weight)).sum(0))
-    if trilinear:  # the shares are 1 - f and f
-        grad_level = blend_levels_backward(grad_share[1] - grad_share[0], level, top)
-    return grad_uv, grad_level
+    raise NotImplementedError("exercise 6.12: taps_backward")
 
 
 def footprint_level(footprint, mipmap, filter_mode):

@@ -58,7 +58,7 @@ class CubeBuffers(NamedTuple):
 # --- texture cubes ------------------------------------------------------------------------------
 
 
-def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
+def cube_taps(weight, depth, z, size):  # extra 10.4 (3 points)
     """Eqs. (4) and (5): which 8 texels does a pixel read, with which weights prod_k a_k?
 
     weight (N, 3), depth (N,), z (N, 3), size T -> index, tap (N, 8). Along axis k, tap n takes
@@ -85,7 +85,7 @@ def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
     return index, tap
 
 
-def cube_taps_backward(grad_tap, weight, depth, z, size):  # extra 10.7 (3 points)
+def cube_taps_backward(grad_tap, weight, depth, z, size):
     """Backward of `cube_taps`: grad_tap (N, 8) -> grad_weight (N, 3), grad_depth (N,) and
     grad_z (N, 3).
 
@@ -173,7 +173,7 @@ def both_sides(faces, textures):
 # --- light --------------------------------------------------------------------------------------
 
 
-def face_light(corners, ambient, directional, towards):  # extra 10.10 (2 points)
+def face_light(corners, ambient, directional, towards):
     """Eq. (6): the light (F, C) on faces with corners (F, 3, 3) in space.
 
     A = ambient (C,), D = directional (C,), l = towards (3,), as it is, without dividing by its
@@ -183,7 +183,7 @@ def face_light(corners, ambient, directional, towards):  # extra 10.10 (2 points
     >>> face_light(corners, np.array([0.5, 0.0]), np.array([0.0, 2.0]), np.array([1.0, 0.0, 0.25]))
     array([[0.5, 0.5]])
 
-    Fine print. A face without area has no normal. It gets the ambient light alone.
+    A face without area has no normal. It gets the ambient light alone.
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
@@ -192,8 +192,7 @@ def face_light(corners, ambient, directional, towards):  # extra 10.10 (2 points
     return ambient + np.maximum(cosine, 0)[:, None] * directional
 
 
-def face_light_backward(grad_light, corners, ambient,  # extra 10.11 (3 points)
-                        directional, towards):
+def face_light_backward(grad_light, corners, ambient, directional, towards):
     """Backward of eq. (6): grad_light (F, C) -> grad_corners (F, 3, 3), grad_ambient (C,),
     grad_directional (C,), grad_towards (3,).
 
@@ -207,7 +206,7 @@ def face_light_backward(grad_light, corners, ambient,  # extra 10.11 (3 points)
             [ 0.,  0., -3.],
             [ 0.,  0.,  0.]]])
 
-    Fine print. The light does not change where n . l <= 0. A face without area has n = 0.
+    The light does not change where n . l <= 0. A face without area has n = 0.
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
@@ -280,7 +279,7 @@ def render(scene, view, samples=2):
     corners = neural_renderer.corners_of(clip, scene.faces)
     light = face_light(scene.vertices[scene.faces], *scene.lights)
     width, height = int(samples) * int(view.width), int(samples) * int(view.height)
-    maps = neural_renderer.rasterize(corners, width, height)
+    maps = neural_renderer.Maps(*neural_renderer.rasterize(corners, width, height))
     colour = shade_cubes(maps, corners, scene.textures, light, view.background)
     return msaa.box_resolve(colour, samples), CubeBuffers(clip, corners, light, maps, colour)
 

@@ -60,7 +60,7 @@ SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 # --- directions and faces ------------------------------------------------------------------------
 
-def on_face(directions):  # extra 6.15 (2 points)
+def on_face(directions):  # extra 6.13 (2 points)
     """Eqs. (10) and (11): directions (N, 3), not 0 -> face (N,), uv (N, 2) where they meet it.
 
     FRAMES[face] has the rows right, down and out.
@@ -92,7 +92,7 @@ def from_frame(values, face):
     return turned
 
 
-def on_face_backward(grad_uv, directions):  # extra 6.16 (3 points)
+def on_face_backward(grad_uv, directions):
     """Backward of `on_face`: grad_uv (N, 2) -> grad_directions (N, 3).
 
     >>> on_face_backward(np.array([[8.0, 0.0]]), np.array([[2.0, 0.0, 1.0]])) + 0.0
@@ -124,7 +124,7 @@ def texel_directions(size):
     return direction_to(face, uv).reshape(6, size, size, 3)
 
 
-def across_edge(face, column, row, size):  # extra 6.17 (3 points)
+def across_edge(face, column, row, size):  # extra 6.14 (3 points)
     """The texel that stands for one beyond its face's edge -> face, column, row, all (N,).
 
     All (N,), integers: one of column and row is -1 or size. The direction to the centre of the
@@ -142,7 +142,7 @@ def across_edge(face, column, row, size):  # extra 6.17 (3 points)
     return face, column, row
 
 
-def face_footprint(directions, jacobian):  # extra 6.18 (2 points)
+def face_footprint(directions, jacobian):
     """Eq. (13): d(u, v)/d(x, y) on the face, (N, 2, 2), of directions that change with the pixel.
 
     directions (N, 3), jacobian (N, 3, 2), whose columns are d_x and d_y.

@@ -26,20 +26,7 @@ from course.given.arrays import EDGES, chunks, expand, scatter
 from . import neural_renderer
 
 
-def edge_crossing(a, b, y):  # extra 10.12 (1 point)
-    """Eq. (8): where does the edge from a to b cross the row y? -> x_edge (...), share (..., 2).
-
-    a, b (..., 2), y (...), shapes that broadcast. share is share_a, share_b.
-
-    >>> edge_crossing(np.array([8.0, 3.0]), np.array([4.0, 1.0]), np.array([1.5, 2.5]))
-    (array([5., 7.]), array([[0.25, 0.75],
-           [0.75, 0.25]]))
-    """
-    share_b = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
-    return a[..., 0] + share_b * (b[..., 0] - a[..., 0]), np.stack([1 - share_b, share_b], -1)
-
-
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # step 10.6
     """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), (P, 2).
 
     The minus is included: their sum over the pixels is g. grad_colour, colour, beyond (P, C):
@@ -59,43 +46,33 @@ def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 
     return -pull * share / np.where(share > 0, scaled, 1)
 
 
-def edge_lines(a, b, height):
-    """The rows of a picture that the edge from a to b (2,) crosses: row (K,), and `edge_crossing`
-    there. These are the rows whose centre row + 1/2 is from a_y to b_y. A flat edge crosses none.
+def sweep_lines(grad_colour, colour, sees, crossing,  # exercise 10.7 (4 points)
+                side, share, eps=1e-4):
+    """K lines of pixels, each crossed by an edge: the gradients (K, 2) of the edges' ends, in ndc.
+
+    grad_colour, colour (K, W, C). sees (K, W): is the face seen? crossing, side (K,), share (K, 2).
+    Outside is where j grows if side is 1, falls if -1. Add up `edge_pulls` as the lecture's loop
+    does. inner is the last pixel not outside. If inner or outer is off the line: 0.
+
+    >>> colour, sees = np.array([[[1.0], [1.0], [0.0], [0.0]]]), np.array([[1, 1, 0, 0]]) > 0
+    >>> grad_colour = np.array([[[0.0], [0.0], [-1.0], [0.0]]])  # pixel 2 is asked to shine
+    >>> edge = np.array([2.25]), np.array([1]), np.array([[0.25, 0.75]])
+    >>> sweep_lines(grad_colour, colour, sees, *edge, eps=0.0)
+    array([[-2., -6.]])
     """
-    low, high = min(a[1], b[1]), max(a[1], b[1])
-    row = np.arange(max(np.ceil(low - 0.5), 0), min(np.floor(high + 0.5), height)).astype(int)
-    if a[1] == b[1]:
-        row = row[:0]
-    return row, *edge_crossing(a, b, row + 0.5)
-
-
-def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
-               side, share, eps=1e-4):
-    """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
-
-    grad_colour, colour (W, C), sees (W,): is the face seen? share (2,) of eq. (8). Outside is where
-    j grows if side is 1, falls if -1. Add up `edge_pulls` as the lecture's loop does. inner is the
-    last pixel not outside. If inner or outer is off the line: 0.
-
-    >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
-    >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])
-    >>> sweep_line(grad_colour, colour, sees, 2.25, 1, share, eps=0.0)  # pixel 2 is asked to shine
-    array([-2., -6.])
-    """
-    inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
-    outer = inner + side
-    if not (0 <= min(inner, outer) and max(inner, outer) < len(colour)):
-        return np.zeros(2)
-    pixel = np.arange(len(colour))
-    is_out = (pixel - inner) * side > 0
-    counts = np.where(is_out, sees[inner], sees)
-    beyond = np.where(is_out[:, None], colour[inner], colour[outer])
-    way = 2 / len(colour) * (pixel + 0.5 - crossing)
-    signed_eps = np.where(is_out, side, -side) * eps
-    terms = edge_pulls(grad_colour[counts], colour[counts], beyond[counts], way[counts],
-                       np.tile(share, (counts.sum(), 1)), signed_eps[counts])
-    return terms.sum(0)
+    count, width, _ = colour.shape
+    inner = np.where(side > 0, np.floor(crossing - 0.5), np.ceil(crossing - 0.5)).astype(int)
+    on_line = (np.minimum(inner, inner + side) >= 0) & (np.maximum(inner, inner + side) < width)
+    inner, outer = np.where(on_line, [inner, inner + side], 0)
+    is_out = (np.arange(width) - inner[:, None]) * side[:, None] > 0
+    counts = np.where(is_out, sees[np.arange(count), inner][:, None], sees) & on_line[:, None]
+    line, pixel = np.nonzero(counts)
+    out = is_out[line, pixel]
+    beyond = colour[line, np.where(out, inner[line], outer[line])]
+    way = 2 / width * (pixel + 0.5 - crossing[line])
+    terms = edge_pulls(grad_colour[line, pixel], colour[line, pixel], beyond, way, share[line],
+                       np.where(out, side[line], -side[line]) * eps)
+    return scatter(terms, line, count)
 
 
 class Sweep(NamedTuple):
@@ -129,98 +106,44 @@ def outer_side(winding, a, b):
     return (winding * np.sign(b[..., 1] - a[..., 1])).astype(int)
 
 
-def sweep_backward_loop(grad_colour, colour, face_index, corners, eps=1e-4):
-    """The outline's gradient, edge by edge and line by line: grad_corners (F, 3, 3), 0 for z.
+def sweep_backward(grad_colour, colour, face_index, corners, eps=1e-4):
+    """The outline's gradient for whole meshes: grad_corners (F, 3, 3), 0 for z.
 
     grad_colour, colour (H, W, C), face_index (H, W) of `rasterize`, corners (F, 3, 3).
     """
     grad_corners = np.zeros(corners.shape)
     for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
-        for f in sweep.drawn:
-            for i, j in EDGES:
-                a, b = sweep.triangles[f, i], sweep.triangles[f, j]
-                side = outer_side(sweep.winding, a, b)
-                lines = edge_lines(a, b, len(sweep.colour))
-                for row, crossing, share in zip(*lines, strict=True):
-                    sees = sweep.face_index[row] == f
-                    grad_corners[f, [i, j], axis] += sweep_line(
-                        sweep.grad_colour[row], sweep.colour[row], sees, crossing, side, share, eps)
-    return grad_corners
-
-
-def sweep_backward(grad_colour, colour, face_index, corners, eps=1e-4):
-    """What `sweep_backward_loop` returns, to rounding, for whole meshes."""
-    grad_corners = np.zeros(corners.shape)
-    for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
         for ends in map(list, EDGES):
-            for face, terms in pulls(sweep, crossings(sweep, *ends), eps):
-                grad_corners[:, ends, axis] += scatter(terms, face, len(corners))
+            for face, grads in sweep_edges(sweep, *ends, eps):
+                grad_corners[:, ends, axis] += scatter(grads, face, len(corners))
     return grad_corners
 
 
-class Crossings(NamedTuple):
-    """Where edges cross rows of pixels: (K,) each, share (K, 2). See `sweep_line` for the words."""
+def sweep_edges(sweep, i, j, eps):
+    """`sweep_lines` of the edges from corner i to j of all faces: yields, for chunks of lines, the
+    face (K,) and its gradients (K, 2).
+    """
+    height, width, _ = sweep.colour.shape
+    a, b = sweep.triangles[sweep.drawn][:, [i, j]].swapaxes(0, 1)
+    edge, row, crossing, share = edge_lines(a, b, height)
+    face, side = sweep.drawn[edge], outer_side(sweep.winding, a, b)[edge]
+    for part in chunks(np.full(len(edge), width)):
+        line = row[part]
+        sees = sweep.face_index[line] == face[part, None]
+        yield face[part], sweep_lines(sweep.grad_colour[line], sweep.colour[line], sees,
+                                      crossing[part], side[part], share[part], eps)
 
-    face: np.ndarray
-    row: np.ndarray
-    crossing: np.ndarray
-    share: np.ndarray
-    side: np.ndarray
-    inner: np.ndarray
 
-
-def all_edge_lines(a, b, height):
-    """`edge_lines` of edges a, b (D, 2): edge (K,), row (K,), crossing (K,), share (K, 2)."""
+def edge_lines(a, b, height):
+    """The rows of a picture that edges from a to b (D, 2) cross: edge, row (K,), and eq. (8) there,
+    crossing (K,), share (K, 2). An edge crosses the rows whose centre row + 1/2 is from a_y to b_y,
+    and none if it is flat.
+    """
     low, high = np.minimum(a[:, 1], b[:, 1]), np.maximum(a[:, 1], b[:, 1])
     first = np.clip(np.ceil(low - 0.5), 0, height).astype(int)
     last = np.where(low == high, first, np.clip(np.floor(high + 0.5), first, height)).astype(int)
     edge, row = expand(first, last - first)
-    return edge, row, *edge_crossing(a[edge], b[edge], row + 0.5)
-
-
-def crossings(sweep, i, j):
-    """The Crossings of the edge from corner i to j of each face, with a pixel on either side."""
-    height, width = sweep.face_index.shape
-    triangles = sweep.triangles[sweep.drawn]
-    a, b = triangles[:, i], triangles[:, j]
-    edge, row, crossing, share = all_edge_lines(a, b, height)
-    side = outer_side(sweep.winding, a, b)[edge]
-    inner = np.where(side > 0, np.floor(crossing - 0.5), np.ceil(crossing - 0.5))
-    outer = inner + side
-    kept = (np.minimum(inner, outer) >= 0) & (np.maximum(inner, outer) < width)
-    inner = np.where(kept, inner, 0).astype(int)
-    found = Crossings(sweep.drawn[edge], row, crossing, share, side, inner)
-    return found if kept.all() else Crossings(*(values[kept] for values in found))
-
-
-def pulls(sweep, found, eps):
-    """`sweep_line` at all Crossings: yields, for chunks of their pixels, the face (N,) and its
-    `edge_pulls` (N, 2).
-    """
-    width = sweep.colour.shape[1]
-    wants = (sweep.grad_colour != 0).any(2)
-    for part in chunks(np.full(len(found.row), width)):
-        lines = Crossings(*(values[part] for values in found))
-        line, pixel, is_out = pulling_pixels(sweep, wants, lines)
-        row, side = lines.row[line], lines.side[line]
-        beyond = sweep.colour[row, np.where(is_out, lines.inner[line], lines.inner[line] + side)]
-        way = 2 / width * (pixel + 0.5 - lines.crossing[line])
-        signed_eps = np.where(is_out, side, -side) * eps
-        terms = edge_pulls(sweep.grad_colour[row, pixel], sweep.colour[row, pixel], beyond, way,
-                           lines.share[line], signed_eps)
-        yield lines.face[line], terms
-
-
-def pulling_pixels(sweep, wants, lines):
-    """Which pixels count at which of the Crossings: line, pixel, is_out (N,).
-
-    wants (H, W) says where grad_colour is not 0. is_out: the edge moves out to the pixel.
-    """
-    sees = sweep.face_index[lines.row] == lines.face[:, None]
-    inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
-    pixel = np.arange(sees.shape[1])
-    inner = lines.inner[:, None]
-    is_out = np.where(lines.side[:, None] > 0, pixel > inner, pixel < inner)
-    counts = np.where(is_out, inner_sees[:, None], sees)
-    line, pixel = np.nonzero(counts & wants[lines.row])
-    return line, pixel, is_out[line, pixel]
+    a, b = a[edge], b[edge]
+    share_b = (row + 0.5 - a[:, 1]) / (b[:, 1] - a[:, 1])
+    crossing = a[:, 0] + share_b * (b[:, 0] - a[:, 0])
+    return edge, row, crossing, np.stack([1 - share_b, share_b], -1)

@@ -58,11 +58,11 @@ def nearest_texel(x, size):
     return np.floor(x * size).astype(int)
 
 
-def linear_texels(x, size):  # exercise 6.2 (2 points)
+def linear_texels(x, size):  # step 6.1
     """Eq. (2): the two texels around x, which is u or v, along an axis of size texels.
 
-    x and size (...) -> index (2, ...), the integers j and j + 1, also outside of the texture, and
-    weight (2, ...).
+    x and size (...) -> index (2, ...), j and j + 1, also outside of the texture, and weight
+    (2, ...).
 
     >>> linear_texels(np.array([0.375, 0.25, 0.025]), 4)
     (array([[ 1,  0, -1],
@@ -76,40 +76,58 @@ def linear_texels(x, size):  # exercise 6.2 (2 points)
     return np.stack([first, first + 1]), np.stack([1 - weight, weight])
 
 
-def wrap(index, size):
-    """The texture repeats: any integers index (...) -> index (...) in it, and inside, all True.
+def standing(index, size, boundary):
+    """Which texel stands for the one with a number, along one axis? index -> index, inside (...).
 
-    A boundary is a function of a texel's number along one axis. It tells which texel stands for
-    it, from 0 to size - 1, and whether there is one at all. Where not inside, the texel is 0.
+    "wrap": the texture repeats. "clamp": its first and its last texel go on for ever. "zero":
+    nothing lies beyond, and a number outside comes back as 0 with inside = False.
 
-    >>> wrap(np.array([-5, -1, 0, 3, 4]), 4)
-    (array([3, 3, 0, 3, 0]), array([ True,  True,  True,  True,  True]))
-    """
-    return index % size, np.ones(np.shape(index), bool)
-
-
-def clamp(index, size):
-    """The first and the last texel go on for ever: index (...) -> index, inside (...), as `wrap`.
-
-    >>> clamp(np.array([-5, -1, 0, 3, 4]), 4)
-    (array([0, 0, 0, 3, 3]), array([ True,  True,  True,  True,  True]))
-    """
-    return np.clip(index, 0, size - 1), np.ones(np.shape(index), bool)
-
-
-def zero(index, size):
-    """Nothing lies beyond the texture: index (...) -> index, inside (...), as `wrap`.
-
-    A number outside comes back as 0, which is a texel of the texture, with inside = False.
-
-    >>> zero(np.array([-5, -1, 0, 3, 4]), 4)
+    >>> standing(np.array([-5, -1, 0, 3, 4]), 4, "wrap")[0]
+    array([3, 3, 0, 3, 0])
+    >>> standing(np.array([-5, -1, 0, 3, 4]), 4, "zero")
     (array([0, 0, 0, 3, 0]), array([False, False,  True,  True, False]))
     """
-    inside = (index >= 0) & (index < size)
-    return np.where(inside, index, 0), inside
+    if boundary == "zero":
+        inside = (index >= 0) & (index < size)
+        return np.where(inside, index, 0), inside
+    index = index % size if boundary == "wrap" else np.clip(index, 0, size - 1)
+    return index, np.ones(index.shape, bool)
 
 
-def look_up(texels, index, weight):  # exercise 6.5 (2 points)
+def each_pair(combine, rows, columns):
+    """combine(rows[i], columns[j]) for all i, j: (2, N) twice -> (4, N), number 2 i + j."""
+    return combine(rows[:, None], columns).reshape(4, -1)
+
+
+def texels_at(uv, width, height, boundary):  # exercise 6.2 (3 points)
+    """Eqs. (2) and (3): the 2 x 2 texels around uv (N, 2) -> index, weight, inside (4, N).
+
+    Texels count row by row: [i, j] has the number width i + j. First comes the lower row. width,
+    height: numbers, or (N,). boundary is for the given `standing`. Where not inside, the weight is
+    0. `python3 -m course demo --impl labs floor` is smooth near you with it.
+
+    >>> index, weight, _ = texels_at(np.array([[0.5, 0.1875]]), 4, 4, "wrap")
+    >>> index.T, weight.T
+    (array([[1, 2, 5, 6]]), array([[0.375, 0.375, 0.125, 0.125]]))
+    """
+    column, column_weight = linear_texels(uv[:, 0], width)
+    row, row_weight = linear_texels(uv[:, 1], height)
+    column, column_inside = standing(column, width, boundary)
+    row, row_inside = standing(row, height, boundary)
+    index = each_pair(np.add, row * width, column)
+    inside = each_pair(np.logical_and, row_inside, column_inside)
+    return index, each_pair(np.multiply, row_weight, column_weight) * inside, inside
+
+
+def nearest_at(uv, width, height, boundary):
+    """Eq. (1): index, weight, inside (1, N) of the one texel at each place, as `texels_at`."""
+    column, column_inside = standing(nearest_texel(uv[:, 0], width), width, boundary)
+    row, row_inside = standing(nearest_texel(uv[:, 1], height), height, boundary)
+    inside = row_inside & column_inside
+    return (row * width + column)[None], inside[None].astype(float), inside[None]
+
+
+def look_up(texels, index, weight):  # step 6.3
     """Eq. (3): the colours (N, C) of N look-ups, each of them the weighted sum of K texels.
 
     texels (T, C), index (N, K) into them, weight (N, K).
@@ -122,7 +140,7 @@ def look_up(texels, index, weight):  # exercise 6.5 (2 points)
     return look_up_matrix(len(texels), index, weight) @ texels
 
 
-def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points)
+def look_up_backward(grad_colour, texels, index, weight):
     """Backward of `look_up`: grad_colour (N, C) -> grad_texels (T, C), grad_weight (N, K).
 
     A texel may be named many times, in one row and in several. Its gradients add up.
@@ -176,40 +194,7 @@ def near_texture(x, boundary):
     return x - np.trunc(x) if boundary == "wrap" else np.clip(x, -1, 2)
 
 
-def texels_on_axis(x, size, filter_mode, boundary):
-    """Eqs. (1) and (2): index, weight, inside (K, N) of the K texels at x (N,), K = 1 or 2.
-
-    filter_mode "nearest" has one, any other has two. size is a number or (N,). Where not inside,
-    the weight is 0.
-    """
-    if filter_mode == "nearest":
-        index = nearest_texel(x, size)[None]
-        weight = np.ones(index.shape)
-    else:
-        index, weight = linear_texels(x, size)
-    index, inside = {"wrap": wrap, "clamp": clamp, "zero": zero}[boundary](index, size)
-    return index, weight * inside, inside
-
-
-def each_pair(combine, rows, columns):
-    """combine(rows[i], columns[j]) for all i, j: (K, N) twice -> (K^2, N), number K i + j."""
-    pairs = combine(rows[:, None], columns)
-    return pairs.reshape(len(rows)**2, -1)
-
-
-def texels_at(uv, width, height, filter_mode, boundary):
-    """Eqs. (1) to (3): index, weight, inside (K, N) of the texels that uv (N, 2) looks up, K = 1
-    or 4. Texels count row by row. width and height are numbers or (N,).
-    """
-    column, column_weight, column_inside = texels_on_axis(uv[:, 0], width, filter_mode, boundary)
-    row, row_weight, row_inside = texels_on_axis(uv[:, 1], height, filter_mode, boundary)
-    index = each_pair(np.add, row * width, column)
-    weight = each_pair(np.multiply, row_weight, column_weight)
-    inside = each_pair(np.logical_and, row_inside, column_inside)
-    return index, weight, inside
-
-
-def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (4 points)
+def bilinear_backward(grad_weight, uv, width, height):  # step 6.11
     """Backward of eqs. (2) and (3): grad_weight (N, 4) of 2 x 2 texels -> grad_uv (N, 2).
 
     weight[:, 2 i + j] = row[i] column[j], where row[i] comes from v and height by `linear_texels`,
@@ -218,8 +203,7 @@ def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (4 points
     >>> bilinear_backward(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[0.125, 0.1875]]), 8, 4)
     array([[2., 2.]])
 
-    Fine print. The weights have a corner on a texel's centre. There the derivative is that for a
-    larger u or v, as floor in eq. (2) has it.
+    The weights have a corner on a texel's centre: there it is that for a larger u or v.
     """
     _, row_weight = linear_texels(uv[:, 1], height)
     _, column_weight = linear_texels(uv[:, 0], width)
@@ -231,7 +215,7 @@ def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (4 points
     return np.stack([along_u * width, along_v * height], -1)
 
 
-def footprint_points(uv, jacobian, n):  # extra 6.8 (2 points)
+def footprint_points(uv, jacobian, n):  # extra 6.4 (2 points)
     """Eq. (4): n x n points uv + J d of each pixel's footprint -> (n^2, N, 2).
 
     uv (N, 2), jacobian (N, 2, 2). Cut the pixel into n x n equal squares. d goes from the pixel's
@@ -259,7 +243,7 @@ def footprint_mean(image, uv, jacobian, n, boundary="wrap"):
     total = np.zeros((len(uv), channels))
     for points in footprint_points(uv, jacobian, n):
         points = near_texture(points, boundary)
-        index, weight, _ = texels_at(points, width, height, "nearest", boundary)
+        index, weight, _ = nearest_at(points, width, height, boundary)
         total += look_up(texels, index.T, weight.T)
     return total / n**2
 

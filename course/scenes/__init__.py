@@ -9,6 +9,7 @@
     small              squares on pixels' centres, a ball cut open: pixel by pixel
     aliasing           a zone plate made smaller in five ways, a triangle that is pulled
     msaa               more and more samples in a pixel, colours found in mixed pixels
+    floor              a floor to the horizon, a texture that finds its place
     reflections        what a mirror shows: directions, footprints, surroundings
     fit_vertices       a triangle finds its place from the colours inside of it
     fit_triangle       a triangle finds its template by its edges alone
@@ -16,6 +17,7 @@
     fit_pose           how a known cube is turned
     fit_texture        a globe's texture, with and without mipmaps
     fit_bunny          a ball becomes the bunny
+    cubes              faces with texture cubes, and a ball that finds its place
     fit_outlines       one silhouette, three gradients
     levels             a coarse ring made smooth, the bunny made coarse
     relaxation         noise smoothed away, thin triangles made rounder

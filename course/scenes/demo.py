@@ -15,10 +15,11 @@ from labkit import places
 from ..given.whose import Labs, Lacking, exercises_named
 from . import own
 
-SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_vertices", "borders", "fit_triangle",
-          "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "rounded",
-          "simplified", "smoothed", "relaxation", "large_steps", "shadow", "light_from_shadow",
-          "still_life", "representations", "hole", "fit_volume", "reconstruct", "paint_and_light",
+SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "floor", "fit_vertices", "borders",
+          "fit_triangle", "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "cubes",
+          "fit_outlines", "rounded", "simplified", "smoothed", "relaxation", "large_steps",
+          "shadow", "light_from_shadow", "still_life", "representations", "hole", "fit_volume",
+          "reconstruct", "paint_and_light",
           "tiles")  # in the order of the labs
 FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
          "rounded": "levels", "simplified": "levels",

@@ -53,7 +53,7 @@ def sweep_outline(labs, clip, faces, size, eps=1e-4):
     """neural_renderer's: 1 where a face is seen, and its sweep."""
     lab10 = labs.neural_renderer
     corners = lab10.corners_of(clip, faces)
-    face_index = lab10.rasterize(corners, size, size).face_index
+    face_index, *_ = lab10.rasterize(corners, size, size)
     picture = (face_index >= 0).astype(float)
 
     def backward(grad_picture):

@@ -8,7 +8,7 @@
     ->   face, wing = (area(i, j, p) for p in (own, across))
           Two changes that together make one mistake. A long one goes on below, after the arrow.
 
-    6.5  look_up(texels, index, weight) -> texels[index].sum(1)
+    6.3  look_up(texels, index, weight) -> texels[index].sum(1)
           The whole function, with all its parameters, and what it returns instead.
 
 On both sides of the arrow stands an expression, or one or more statements ("a = 1; b = 2").

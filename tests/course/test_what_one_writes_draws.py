@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
-from what_late_labs_draw import lab_3, lab_4, lab_15, lab_16, lab_17, shadows
+from what_late_labs_draw import lab_3, lab_4, lab_10, lab_15, lab_16, lab_17, shadows
 
 from course.given import compiled, faster
 from course.given.whose import Labs
@@ -15,10 +15,11 @@ from labkit import exercises
 from labkit.upkeep import mistakes
 
 # Topics of which every core exercise is in what draws: the renderer with its fits, or a scene.
-DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradients",
-                   "rasterizer_gradients", "antialiasing", "outlines", "outline_walk",
-                   "inverse_rendering", "pipeline"),
+DRAWING = {shown: ("transforms", "rasterization", "interpolation", "texturing", "mipmapping",
+                   "vertex_gradients", "rasterizer_gradients", "antialiasing", "outlines",
+                   "outline_walk", "inverse_rendering", "pipeline"),
            lab_3: ("sampling",), lab_4: ("msaa",),
+           lab_10: ("neural_renderer", "sweep_gradient"),
            surfaces: ("regularization", "remeshing"),
            shadows: ("shadow_mapping", "soft_shadows", "variance_shadows"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),

@@ -1,9 +1,10 @@
-"""Small runs of the scenes of labs 3, 4 and 14 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4, 10 and 14 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh, ray_casting
 from course.scenes import (
     aliasing,
+    cubes,
     drawing,
     fit_volume,
     hole,
@@ -53,6 +54,13 @@ def shadows(labs):
     _, *given = shadow.given_shadow(labs, *shape, 16)
     yield "the search for the light", lab14.fit_position(
         *given, *shape, shadow.GUESS, lab14.Settings(48, 3, 1e-3), [0.1, 0.05, 0.02])
+
+
+def lab_10(labs):
+    """A small ball of texture cubes, and the first steps of its way."""
+    ball = cubes.striped(labs, *cubes.small_ball())
+    yield "the ball", cubes.picture(labs, ball, 24)
+    yield "its way", np.array(cubes.fit(labs, ball, 24, 3))
 
 
 def lab_15(labs):

@@ -34,6 +34,15 @@ def test_every_gradient_is_a_central_difference(filter_mode, boundary):
               name=f"texture_{filter_mode}_{boundary}")
 
 
+def test_the_level_of_a_square_footprint_and_of_none():
+    """0 / 0 where R or J is 0. Or a small number is added to R, in place of the case R = 0."""
+    jacobian = np.array([[[0.5, 0.0], [0.0, 1.0]], [[0.0, -0.25], [0.5, 0.0]], np.zeros((2, 2)),
+                         [[1e-9, 0.0], [0.0, 1e-9]]])
+    got = mipmapping.mip_level_backward(np.log(2.0) * np.ones(4), jacobian, 8, 4)
+    np.testing.assert_allclose(got, [[[1, 0], [0, 0.5]], [[0, -2], [1, 0]], np.zeros((2, 2)),
+                                     [[1e9, 0], [0, 0]]], atol=1e-3)
+
+
 def test_pyramids_end_where_a_side_is_odd():
     """A level of half a texel, or a pyramid that never ends."""
     def sides(*shape, max_level=None):

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from loose_faces import CAMERA, some_corners
 
-from course.given import arrays, mesh
+from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_equal
 from reference import interpolation, neural_renderer, rasterization, scanline, transforms
@@ -16,21 +16,6 @@ def teapot_clip():
     vertices, faces = mesh.teapot()
     points = transforms.to_homogeneous(mesh.normalize(vertices))
     return transforms.transform(points, CAMERA), faces
-
-
-def test_the_loop_and_whole_meshes_agree_to_the_bit(rng):
-    """A fragment that one of the two finds, other rounding, or ties of equal depth."""
-    for _ in range(3):
-        corners = some_corners(rng)
-        corners[7] = corners[6]
-        assert_equal(neural_renderer.rasterize(corners, WIDTH, HEIGHT),
-                     neural_renderer.rasterize_loop(corners, WIDTH, HEIGHT))
-
-
-def test_many_chunks_agree_with_the_loop(rng, monkeypatch):
-    """A chunk that forgets what the ones before it have found."""
-    monkeypatch.setattr(arrays, "CHUNK", 64)
-    test_the_loop_and_whole_meshes_agree_to_the_bit(rng)
 
 
 def test_the_picture_is_that_of_lab_2():

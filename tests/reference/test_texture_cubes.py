@@ -78,6 +78,18 @@ def test_from_behind_a_face_looks_mirrored(rng):
 LIGHTS = texture_cubes.Lights(np.array([0.3, 0.2]), np.array([0.6, 0.9]), np.array([0.4, 0.7, 0.5]))
 
 
+def test_faces_without_area_or_light_are_constant():
+    """0 / 0 in a normal, which a sum over vertices spreads. Or what looks away is darkened."""
+    lying = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 3.0], [2.0, 0.0, 0.0]])  # looks up
+    corners = np.stack([lying, lying[::-1], np.ones((3, 3))])
+    lights = LIGHTS._replace(towards=np.array([0.0, 2.0, 0.0]))
+    got = texture_cubes.face_light(corners, *lights)
+    np.testing.assert_allclose(got, LIGHTS.ambient + [[1.2, 1.8], [0, 0], [0, 0]])
+    grads = texture_cubes.face_light_backward(np.ones((3, 2)), corners, *lights)
+    assert not grads[0].any()
+    np.testing.assert_allclose(np.concatenate(grads[1:]), [3, 3, 2, 2, 0, 1.5, 0])
+
+
 def ball(rng):
     """A small ball, and a View of it."""
     vertices, faces = mesh.icosphere(20)

@@ -35,7 +35,8 @@ AWKWARD = [0.0, -0.0, 1.0, -1.0, 2.0, -3.0, 0.5, -0.5, 1.5, 0.125, 0.9999999, 5e
 def test_the_texels_on_an_axis_are_those_of_exact_arithmetic(filter_mode, boundary, size):
     """A whole number, a tiny one or a huge one is off by a texel, or by all of them."""
     near = texturing.near_texture(np.array(AWKWARD), boundary)
-    index, weight, inside = texturing.texels_on_axis(near, size, filter_mode, boundary)
+    texels = texturing.nearest_at if filter_mode == "nearest" else texturing.texels_at
+    index, weight, inside = texels(np.stack([near, 0 * near + 0.5], 1), size, 1, boundary)
     assert ((index >= 0) & (index < size)).all()
     assert not weight[~inside].any()
     for n, x in enumerate(AWKWARD):

@@ -88,7 +88,8 @@ class Picture(torch.autograd.Function):
     @staticmethod
     def forward(ctx, faces, textures, background, size, near, far, eps):
         corners = array("faces[n]", faces, f"{len(faces)} 3 3")  # there may be none
-        maps = tensors.labs.neural_renderer.rasterize(corners, size, size, near, far)
+        lab10 = tensors.labs.neural_renderer
+        maps = lab10.Maps(*lab10.rasterize(corners, size, size, near, far))
         is_seen = maps.face_index >= 0
         colour = is_seen[..., None]
         if textures is not None:
