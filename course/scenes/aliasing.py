@@ -13,11 +13,11 @@ GOAL = np.array([[0.33, 0.9], [0.93, 0.31], [0.08, 0.15]])
 def aliasing(labs, out="aliasing", photo=None):
     """A picture, or FILE, made smaller: with aliases, and filtered (lab 3)."""
     whole = zone_plate(SIZE + 1) if photo is None else photo
-    height, width = (STEP * (side // STEP) for side in whole.shape[:2])
-    whole = whole[:height, :width]
-    yield f"{width} x {height} pixels", save(out, "whole", image.to_srgb(whole))
+    yield "{1} x {0} pixels".format(*whole.shape), save(out, "whole", image.to_srgb(whole))
 
-    channels = [smaller(labs.sampling, channel) for channel in np.moveaxis(whole, -1, 0)]
+    height, width = (STEP * (side // STEP) for side in whole.shape[:2])
+    channels = [smaller(labs.sampling, channel)
+                for channel in np.moveaxis(whole[:height, :width], -1, 0)]
     for name in channels[0]:
         picture = np.stack([channel[name] for channel in channels], -1)
         yield name.replace("_", " "), save(out, name, enlarged(image.to_srgb(picture), STEP))
