@@ -17,11 +17,11 @@ from . import own
 
 SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "fit_vertices", "borders", "fit_triangle",
           "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "rounded",
-          "simplified", "smoothed", "relaxation", "large_steps", "shadow", "still_life",
+          "house", "cage", "simplified", "smoothed", "relaxation", "large_steps", "shadow", "still_life",
           "representations", "hole", "fit_volume", "reconstruct", "paint_and_light",
           "tiles")  # in the order of the labs
 FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
-         "rounded": "levels", "simplified": "levels",
+         "rounded": "levels", "house": "levels", "cage": "levels", "simplified": "levels",
          "smoothed": "relaxation"}  # others have their name
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
         "still_life", "fit_volume", "reconstruct", "paint_and_light")

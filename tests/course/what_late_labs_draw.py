@@ -1,4 +1,4 @@
-"""Small runs of the scenes of labs 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 11 and 15 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh
@@ -6,12 +6,25 @@ from course.scenes import (
     drawing,
     fit_volume,
     hole,
+    levels,
     portrait,
     reconstruct,
     representations,
     tiles,
     viewing,
 )
+
+
+def lab_11(labs):
+    """A sheet and a ring made round, a house, and a cage through the vertices of a sheet."""
+    sheet, ring = mesh.plane(8), mesh.torus(36)
+    for name, shape in ("sheet", sheet), ("ring", ring):
+        yield from zip((f"a rounded {name}", f"its faces, {name}"),
+                       levels.loop_step(labs, *shape), strict=True)
+    for step, house in enumerate(levels.houses(labs, 2)):
+        yield f"the house after {step} steps", np.concatenate([np.ravel(part) for part in house])
+    *_, (points, surface, _) = levels.pulled(labs, *sheet, 1, 2)
+    yield "a cage and its surface", np.concatenate([points, surface])
 
 
 def lab_15(labs):
