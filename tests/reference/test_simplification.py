@@ -126,6 +126,16 @@ def test_cracks_are_closed_by_near_pairs():
     assert len(mesh.boundary_edges(joined)) <= 64
 
 
+def test_two_boundaries_are_sewn_together():
+    """Pairs that are no edges, of two squares side by side, with a crack between."""
+    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0],
+                         [1, 0, 0], [2, 0, 0], [1, 1, 0], [2, 1, 0]])
+    faces = np.array([[0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]])
+    q = simplification.mesh_quadrics(vertices, faces)
+    got = collapse_heap.simplify_heap(vertices, faces, q, np.array([[1, 4], [3, 6]]), 0)
+    assert_equal(got[1:], ([[0, 1, 3], [0, 3, 2], [1, 5, 7], [1, 7, 3]], np.zeros(3, int)))
+
+
 def test_broken_meshes_give_a_right_answer():
     """Three faces at an edge, another winding, repeated and degenerate faces, unused vertices."""
     vertices, faces = mesh.grid(72)
@@ -235,7 +245,8 @@ def test_of_equal_errors_the_first_counts():
 def test_without_any_plane_a_stays():
     """A = 0: the system is singular, for vertices of faces without area."""
     a, b = np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 4.0, 4.0]])
-    assert_equal(simplification.best_position(np.zeros((1, 4, 4)), a, b), a)
+    assert_equal(simplification.pair_costs(np.concatenate([a, b]), np.zeros((2, 4, 4)),
+                                           np.array([[0, 1]])), (a, [0.0]))
 
 
 @pytest.mark.parametrize(("faces", "expected"), [
