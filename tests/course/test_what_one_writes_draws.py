@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
-from what_late_labs_draw import lab_11, lab_15, lab_16, lab_17
+from what_late_labs_draw import lab_11, lab_12, lab_15, lab_16, lab_17
 
 from course.given import compiled, faster
 from course.given.whose import Labs
@@ -20,6 +20,7 @@ DRAWING = {shown: ("transforms", "rasterization", "interpolation", "vertex_gradi
                    "inverse_rendering", "pipeline"),
            surfaces: ("regularization", "remeshing"),
            lab_11: ("subdivision", "loop_subdivision", "catmull_clark"),
+           lab_12: ("simplification", "collapse_heap"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),
            lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}
 ENOUGH = 3  # mistakes of each exercise, at least, must show, or all but one of them

@@ -1,4 +1,4 @@
-"""Small runs of the scenes of labs 11 and 15 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 11, 12 and 15 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh
@@ -25,6 +25,17 @@ def lab_11(labs):
         yield f"the house after {step} steps", np.concatenate([np.ravel(part) for part in house])
     *_, (points, surface, _) = levels.pulled(labs, *sheet, 1, 2)
     yield "a cage and its surface", np.concatenate([points, surface])
+
+
+def lab_12(labs):
+    """A bumpy ball and a wavy sheet, in ever fewer faces."""
+    sheet, squares = mesh.grid(72)
+    ball, faces = mesh.icosphere(180)
+    for name, shape in (("ball", (ball * (1 + 0.2 * np.sin(5 * ball[:, [1, 2, 0]])), faces)),
+                        ("sheet", (sheet + 0.5 * np.sin(sheet[:, [2, 2, 0]]), squares))):
+        for step, (vertices, left) in enumerate(levels.fewer(labs, *shape, 60)):
+            yield f"the {name}'s faces, {step}", left
+            yield f"the {name}'s vertices, {step}", vertices[np.unique(left)]
 
 
 def lab_15(labs):

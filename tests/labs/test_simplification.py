@@ -341,21 +341,22 @@ def test_on_a_flat_part_an_end_or_the_middle_is_taken(impl):
 @exercise("12.7")
 def test_each_pair_is_decided_by_itself(impl, rng):
     """One flat pair makes all of them go by (6) or (7), or an error ends it: A is singular. The
-    threshold is not LEAST_CURVATURE times the greatest eigenvalue, or compares another one."""
-    x = rng.normal(size=(8, 3))
+    threshold is not LEAST_CURVATURE times the greatest eigenvalue, so it has a unit."""
+    x, best = rng.normal(size=(2, 8, 3))
     x[4:] *= [1, 1, 0]
     basis = np.linalg.qr(rng.normal(size=(3, 3)))[0]
     q = np.zeros((8, 4, 4))
-    for k, spread in enumerate(([1, 2, 3], [4e-6, 1, 2], [1e-7, 1e-7, 2], [1e-6, 1, 9])):
+    for k, spread in enumerate(([1, 2, 3], [4e-6, 1, 2], [1e-7, 1e-7, 2], [3e-7, 0.01, 2])):
         A = basis @ np.diag(spread) @ basis.T
-        q[k, :3, :3], q[k, :3, 3] = A, -A @ x[k]
-        q[k, 3, :3], q[k, 3, 3] = q[k, :3, 3], 1 + x[k] @ A @ x[k]
+        q[k, :3, :3], q[k, :3, 3] = A, -A @ best[k]
+        q[k, 3, :3], q[k, 3, 3] = q[k, :3, 3], 1 + best[k] @ A @ best[k]
     q[4] = meshes.planes_of([0, 0, 1, 0])[0]
     pairs = np.array([[1, 6], [0, 4], [4, 5], [2, 7], [3, 5], [0, 6]])
     expected = [meshes.place_and_cost(q[a] + q[b], x[a], x[b]) for a, b in pairs]
-    positions, costs = impl.pair_costs(x, q, pairs)
-    assert_close(positions, [place for place, _ in expected], rtol=1e-7, atol=1e-7)
-    assert_close(costs, [cost for _, cost in expected], rtol=1e-7, atol=1e-9)
+    for unit in 1, 1e-9:
+        positions, costs = impl.pair_costs(x, unit * q, pairs)
+        assert_close(positions, [place for place, _ in expected], rtol=1e-7, atol=1e-7)
+        assert_close(costs / unit, [cost for _, cost in expected], rtol=1e-7, atol=1e-9)
 
 
 @exercise("12.7")
@@ -586,8 +587,9 @@ def test_the_ring_of_a_double_pyramid_is_refused_by_the_link_condition(impl):
 def test_the_edges_of_a_tetrahedron_leave_twins(impl):
     """Twins are not looked for, or among the faces before the collapse."""
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    pairs = [(0, 1), (2, 1), (3, 0)]
-    assert_refused(impl, PYRAMID[:4], faces, pairs, PYRAMID[[0, 2, 3]], [2, 2, 2])
+    pairs = [(0, 1), (2, 1), (2, 0)]
+    for count in 4, 3:  # of three vertices: a triangle, closed by `outside`
+        assert_refused(impl, PYRAMID[:count], faces, pairs, PYRAMID[[0, 2, 2]], [2, 2, 2])
 
 
 @exercise("12.11")
@@ -598,6 +600,16 @@ def test_a_place_on_the_other_side_of_a_ball_flips_its_faces(impl):
     pairs = meshes.edges_of(faces)[::29].tolist()
     places = [-9 * vertices[a] for a, _ in pairs]
     assert_refused(impl, vertices, faces, pairs, places, np.full(len(pairs), 3))
+
+
+@exercise("12.11")
+def test_a_face_must_not_become_a_sliver(impl):
+    """The corners after the collapse are taken for those before it: a sliver may become a face."""
+    vertices, faces = mesh.grid(32)
+    a, b = 7, 12
+    sides = [vertices[face[face != a]] for face in faces if a in face and b not in face]
+    places = [0.999 * side.mean(0) + 0.001 * vertices[a] for side in sides]
+    assert_refused(impl, vertices, faces, [(a, b)] * len(places), places, [3] * len(places))
 
 
 @exercise("12.11")
