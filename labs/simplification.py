@@ -68,7 +68,7 @@ def quadric_error(q, x):  # step 12.3
     raise NotImplementedError("exercise 12.3: quadric_error")
 
 
-def quadric_error_backward(grad_error, q, x):  # extra 12.8 (2 points)
+def quadric_error_backward(grad_error, q, x):
     """Backward of `quadric_error`: grad_error (...) -> grad_q (..., 4, 4), grad_x (..., 3).
 
     q (..., 4, 4) and x (..., 3) have the same leading shape. All 16 numbers of q are free, so q
@@ -152,7 +152,7 @@ def valid_pairs(vertices, faces, t):
     return np.unique(np.concatenate([mesh.edges(faces)[0], near[distance < t]]), axis=0)
 
 
-def best_on_segment(q, a, b):  # extra 12.9 (3 points)
+def best_on_segment(q, a, b):  # extra 12.8 (3 points)
     """Eq. (6): the best place x (N, 3) on the segments from a to b, and whether it is unique (N,).
 
     q (N, 4, 4) symmetric, a, b (N, 3). Clip t to the segment, from 0 to 1.
@@ -221,7 +221,7 @@ def collapse_faces(faces, a, b):  # step 12.1
     raise NotImplementedError("exercise 12.1: collapse_faces")
 
 
-def satisfies_link_condition(faces, a, b):  # step 12.10
+def satisfies_link_condition(faces, a, b):  # step 12.9
     """Eq. (8): may the edge between the vertices a and b be collapsed? -> bool
 
     faces (N, 3): at least all that have a or b. Below, 0 and 4 are the tips of a double pyramid. An
@@ -231,7 +231,7 @@ def satisfies_link_condition(faces, a, b):  # step 12.10
     >>> satisfies_link_condition(faces, 0, 1), satisfies_link_condition(faces, 1, 2)
     (True, False)
     """
-    raise NotImplementedError("exercise 12.10: satisfies_link_condition")
+    raise NotImplementedError("exercise 12.9: satisfies_link_condition")
 
 
 def has_twins(faces):
@@ -239,7 +239,7 @@ def has_twins(faces):
     return len({frozenset(face) for face in faces.tolist()}) < len(faces)
 
 
-def flips(before, after):  # extra 12.12 (2 points)
+def flips(before, after):  # extra 12.11 (2 points)
     """Does the normal n of any triangle turn by more than 45 degrees, or become uncertain? -> bool
 
     before, after (N, 3, 3): the corners of N triangles. A normal becomes uncertain if the shape,
@@ -265,7 +265,7 @@ def flips(before, after):  # extra 12.12 (2 points)
     return bool((turns | thins).any())
 
 
-def why_refused(vertices, faces, a, b, position):  # exercise 12.11 (3 points)
+def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
     """May the edge a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
 
     vertices (V, 3), faces (N, 3): at least all that have a or b, of a closed surface. The first
@@ -281,10 +281,10 @@ def why_refused(vertices, faces, a, b, position):  # exercise 12.11 (3 points)
     Fine print. A pair that is no edge joins two sheets on purpose. It need not satisfy eq. (8), and
     its faces to outside may be twins.
     """
-    raise NotImplementedError("exercise 12.11: why_refused")
+    raise NotImplementedError("exercise 12.10: why_refused")
 
 
-def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.13 (3 points)
+def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.12 (3 points)
     """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
 
     `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
@@ -295,7 +295,5 @@ def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.13 (3 p
     >>> q = mesh_quadrics(vertices, faces)
     >>> [len(simplify_loop(vertices, faces, q, n)[1]) for n in (20, 13, 0)]
     [20, 12, 4]
-
-    Fine print. The first of equally cheap edges is collapsed.
     """
-    raise NotImplementedError("exercise 12.13: simplify_loop")
+    raise NotImplementedError("exercise 12.12: simplify_loop")

@@ -174,7 +174,7 @@ def catmull_clark(vertices, corners, counts):
 # The limit
 
 
-def catmull_clark_limit_rows(edges, is_boundary, quads, n):  # extra 11.9 (3 points)
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
     """Eq. (10) for all vertices of a mesh of quads (F, 4): entries of V rows and V columns.
 
     edges (E, 2), is_boundary (E,), n (V,): the valences. On the boundary and at valence 0,

@@ -170,7 +170,7 @@ def collapse(state, entry):
     return count
 
 
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.14 (3 points)
+def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.13 (3 points)
     """`simplify_loop` by a heap: vertices (V, 3), faces (F', 3), refused (3,), one for each reason.
 
     Begin with `initial_state`. While more than face_count faces are left: push new `entries` of the

@@ -194,7 +194,7 @@ def loop_surface(cage, faces, steps):
     return loop_limit_matrix(faces, len(cage)) @ cage, faces
 
 
-def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.10 (2 points)
+def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.9 (2 points)
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
     grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. It

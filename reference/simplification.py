@@ -69,7 +69,7 @@ def quadric_error(q, x):  # step 12.3
     return ((q @ v[..., None])[..., 0] * v).sum(-1)
 
 
-def quadric_error_backward(grad_error, q, x):  # extra 12.8 (2 points)
+def quadric_error_backward(grad_error, q, x):
     """Backward of `quadric_error`: grad_error (...) -> grad_q (..., 4, 4), grad_x (..., 3).
 
     q (..., 4, 4) and x (..., 3) have the same leading shape. All 16 numbers of q are free, so q
@@ -161,7 +161,7 @@ def valid_pairs(vertices, faces, t):
     return np.unique(np.concatenate([mesh.edges(faces)[0], near[distance < t]]), axis=0)
 
 
-def best_on_segment(q, a, b):  # extra 12.9 (3 points)
+def best_on_segment(q, a, b):  # extra 12.8 (3 points)
     """Eq. (6): the best place x (N, 3) on the segments from a to b, and whether it is unique (N,).
 
     q (N, 4, 4) symmetric, a, b (N, 3). Clip t to the segment, from 0 to 1.
@@ -241,7 +241,7 @@ def collapse_faces(faces, a, b):  # step 12.1
     return np.where(kept == b, a, kept)
 
 
-def satisfies_link_condition(faces, a, b):  # step 12.10
+def satisfies_link_condition(faces, a, b):  # step 12.9
     """Eq. (8): may the edge between the vertices a and b be collapsed? -> bool
 
     faces (N, 3): at least all that have a or b. Below, 0 and 4 are the tips of a double pyramid. An
@@ -262,7 +262,7 @@ def has_twins(faces):
     return len({frozenset(face) for face in faces.tolist()}) < len(faces)
 
 
-def flips(before, after):  # extra 12.12 (2 points)
+def flips(before, after):  # extra 12.11 (2 points)
     """Does the normal n of any triangle turn by more than 45 degrees, or become uncertain? -> bool
 
     before, after (N, 3, 3): the corners of N triangles. A normal becomes uncertain if the shape,
@@ -288,7 +288,7 @@ def flips(before, after):  # extra 12.12 (2 points)
     return bool((turns | thins).any())
 
 
-def why_refused(vertices, faces, a, b, position):  # exercise 12.11 (3 points)
+def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
     """May the edge a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
 
     vertices (V, 3), faces (N, 3): at least all that have a or b, of a closed surface. The first
@@ -317,7 +317,7 @@ def why_refused(vertices, faces, a, b, position):  # exercise 12.11 (3 points)
     return FLIP if flips(before, np.where(moves, position, before)) else 0
 
 
-def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.13 (3 points)
+def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.12 (3 points)
     """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
 
     `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
@@ -328,14 +328,12 @@ def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.13 (3 p
     >>> q = mesh_quadrics(vertices, faces)
     >>> [len(simplify_loop(vertices, faces, q, n)[1]) for n in (20, 13, 0)]
     [20, 12, 4]
-
-    Fine print. The first of equally cheap edges is collapsed.
     """
     vertices, quadrics = vertices.copy(), quadrics.copy()
     while len(faces) > face_count:
         edges, _ = mesh.edges(faces)
         positions, costs = pair_costs(vertices, quadrics, edges)
-        allowed = (k for k in np.argsort(costs, kind="stable") if not why_refused(
+        allowed = (k for k in np.argsort(costs) if not why_refused(
             vertices, faces[np.isin(faces, edges[k]).any(1)], *edges[k], positions[k]))
         k = next(allowed, None)
         if k is None:

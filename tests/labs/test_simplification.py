@@ -69,43 +69,11 @@ def test_an_error_on_paper(impl):
 
 
 @exercise("12.3")
-def test_errors_of_four_points_on_paper(impl):
-    """Only one point is understood: the leading axes are lost, or the points are summed."""
-    q = meshes.each_of([[2, -1, 3, -4]], [[0, 1, 2, 1], [3, 0, 0, 2]], [[1, 5, 0, 0]],
-                       [[0, 0, 4, -7], [1, 1, 1, 1]])
-    x = np.array([[3.0, 1.0, 2.0], [2.0, 4.0, 3.0], [6.0, -1.0, 8.0], [5.0, 7.0, 1.0]])
-    assert_close(impl.quadric_error(q, x), [49.0, 185.0, 1.0, 205.0])
-
-
-@exercise("12.3")
 def test_the_error_is_the_double_sum(impl, rng):
     """The leading shapes of q and x do not broadcast. Q is taken for symmetric."""
     q, x = rng.normal(size=(2, 1, 4, 4)), rng.normal(size=(5, 3))
     expected = [[meshes.error(q[i, 0], x[j]) for j in range(5)] for i in range(2)]
     assert_close(impl.quadric_error(q, x), expected)
-
-
-@exercise("12.8")
-def test_the_gradient_of_an_error_on_paper(impl):
-    """grad_x is 2 Q v: Q is not symmetric, so it is (Q + Q^T) v. One of the two is left out. grad_x
-    or grad_q is not multiplied by grad_error. grad_q is not v v^T. grad_x has four numbers. The
-    outputs are exchanged."""
-    q = np.arange(16.0).reshape(4, 4)
-    grad_q, grad_x = impl.quadric_error_backward(np.array(2.0), q, np.array([1.0, 0.0, 2.0]))
-    assert_close(grad_x, 2 * np.array([0 + 4 + 3 + 0 + 16 + 12, 4 + 12 + 7 + 1 + 18 + 13,
-                                       8 + 20 + 11 + 2 + 20 + 14.0]))
-    assert_close(grad_q, 2 * np.array([[1.0, 0, 2, 1], [0, 0, 0, 0], [2, 0, 4, 2], [1, 0, 2, 1]]))
-
-
-@exercise("12.8")
-def test_the_gradient_of_an_error_is_its_derivative(impl, rng, gradcheck):
-    """grad_x or grad_q is not multiplied by grad_error, or is summed over the points."""
-    def forward(q, x):
-        v = np.concatenate([x, np.ones((*x.shape[:-1], 1))], -1)
-        return np.einsum("...i,...ij,...j", v, q, v)
-
-    gradcheck(forward, impl.quadric_error_backward,
-              (rng.normal(size=(3, 2, 4, 4)), rng.normal(size=(3, 2, 3))), name="quadric_error")
 
 
 @exercise("12.5")
@@ -160,25 +128,15 @@ def test_no_boundary_and_no_area(impl):
 def test_a_closed_surface_face_by_face(impl, rng):
     """Each plane counts once, not as much as its face is large; or with twice the area, a third of
     it, or the mean of the faces at a vertex. += with repeated indices adds only one of them. A
-    vertex gets another face's quadric (tile, not repeat)."""
+    vertex gets another face's quadric (tile, not repeat). One of no face gets none."""
     vertices, faces = meshes.bumpy(20, rng, 0.2)
+    vertices = np.concatenate([vertices, [[7.0, 8, 9]]])
     got = impl.surface_quadrics(vertices, faces)
     assert_close(got, meshes.quadrics_of(vertices, faces, area_of))
 
 
 def area_of(a, b, c):
     return np.linalg.norm(np.cross(b - a, c - a)) / 2
-
-
-@exercise("12.4")
-def test_a_vertex_of_no_face_has_no_quadric(impl, rng):
-    """There are only as many rows as the faces have vertices."""
-    vertices, faces = meshes.bumpy(20, rng, 0.2)
-    more = np.concatenate([vertices[:4], rng.normal(size=(2, 3)), vertices[4:], [[7.0, 8, 9]]])
-    got = impl.surface_quadrics(more, np.where(faces < 4, faces, faces + 2))
-    expected = np.zeros((len(more), 4, 4))
-    expected[[*range(4), *range(6, len(more) - 1)]] = meshes.quadrics_of(vertices, faces, area_of)
-    assert_close(got, expected)
 
 
 @exercise("12.4")
@@ -209,7 +167,7 @@ def test_an_open_sheet_face_by_face_and_edge_by_edge(impl, rng):
 
 # --- the best place ----------------------------------------------------------------------------
 
-@exercise("12.9")
+@exercise("12.8")
 def test_the_best_place_on_a_segment_on_paper(impl):
     """t has the wrong sign or a factor 2, or is not kept within 0 and 1. b of the quadric or A x_i
     is left out. The slope is that at b. It is divided by e.e, not e.A e. The place is t e, without
@@ -224,7 +182,7 @@ def test_the_best_place_on_a_segment_on_paper(impl):
     assert_close(impl.best_on_segment(q, a, b)[0], expected)
 
 
-@exercise("12.9")
+@exercise("12.8")
 def test_in_a_plane_no_place_of_a_segment_is_best(impl):
     """Every place is called unique, or none. In the plane of the quadric the error is the same
     along the whole segment: e.A e is 0."""
@@ -237,17 +195,7 @@ def test_in_a_plane_no_place_of_a_segment_is_best(impl):
     assert_equal(impl.best_on_segment(q, a, b)[1], [False, True, False, True, True, False])
 
 
-@exercise("12.9")
-def test_a_short_segment_has_a_best_place(impl):
-    """e.A e is compared with a number that has a unit, not with the size of A and of e."""
-    q = np.repeat(meshes.planes_of([1, 0, 0, -2]), 4, 0)
-    a = np.array([[0.0, 0.0, 1.0], [3.0, 0.0, 0.0], [-5.0, 1.0, 0.0], [1.995, 0.0, 0.0]])
-    b = np.array([[8.0, 4.0, 1.0], [9.0, 9.0, 0.0], [1.0, 7.0, 3.0], [2.015, 0.0, 0.0]])
-    expected = [[2.0, 1.0, 1.0], [3.0, 0.0, 0.0], [1.0, 7.0, 3.0], [2.0, 0.0, 0.0]]
-    assert_close(impl.best_on_segment(q, a, b), (expected, np.ones(4, bool)))
-
-
-@exercise("12.9")
+@exercise("12.8")
 def test_no_point_of_the_segment_is_better(impl, rng):
     """t has a wrong sign or a factor 2, for planes in general position. Only the diagonal of A
     counts."""
@@ -262,7 +210,7 @@ def test_no_point_of_the_segment_is_better(impl, rng):
         assert_close(place[k], a[k] + np.clip(t, 0, 1) * (b[k] - a[k]), rtol=1e-7)
 
 
-@exercise("12.9", fine_print=True)
+@exercise("12.8", fine_print=True)
 def test_along_a_plane_no_place_is_best(impl):
     """e lies in the plane: 0 / 0 gives nan, or rounding decides. e.A e must be compared with
     LEAST_CURVATURE trace(A) e.e, and x be a where it is not greater."""
@@ -332,8 +280,8 @@ def test_on_a_flat_part_an_end_or_the_middle_is_taken(impl):
     x = np.array([[0.0, 0, 0], [4, 0, 0]])
     plane, slope = meshes.planes_of([0, 0, 1, 0])[0], np.zeros((4, 4))
     slope[0, 3] = slope[3, 0] = -1e-4
-    valley = 1e-8 * meshes.planes_of([1, 0, 0, -2])[0]
-    for more, place in (slope, 4), (-slope, 0), (valley, 2):
+    valley, between = 1e-8 * meshes.each_of([[1, 0, 0, -2]], [[1, 0, 0, -3]])
+    for more, place in (0 * slope, 0), (slope, 4), (-slope, 0), (valley, 2), (between, 4):
         positions, _ = impl.pair_costs(x, np.array([plane, plane + more]), np.array([[0, 1]]))
         assert_close(positions, [[place, 0.0, 0.0]])
 
@@ -359,17 +307,6 @@ def test_each_pair_is_decided_by_itself(impl, rng):
         assert_close(costs / unit, [cost for _, cost in expected], rtol=1e-7, atol=1e-9)
 
 
-@exercise("12.7")
-def test_costs_are_those_of_pair_by_pair(impl, rng):
-    """Pairs are mixed with each other, or their numbers are taken for those of vertices."""
-    vertices, faces = meshes.bumpy(20, rng, 0.3)
-    pairs, q = rng.permutation(meshes.edges_of(faces)), meshes.quadrics_of(vertices, faces)
-    expected = [meshes.place_and_cost(q[a] + q[b], vertices[a], vertices[b]) for a, b in pairs]
-    positions, costs = impl.pair_costs(vertices, q, pairs)
-    assert_close(positions, [place for place, _ in expected], rtol=1e-7, atol=1e-9)
-    assert_close(costs, [cost for _, cost in expected], rtol=1e-7, atol=1e-9)
-
-
 # --- what is refused -----------------------------------------------------------------------------
 
 def asked(impl, faces, pairs):
@@ -382,7 +319,7 @@ def given(faces, pairs):
     return f"faces={faces.tolist()}, for each of the pairs a, b in {[list(pair) for pair in pairs]}"
 
 
-@exercise("12.10")
+@exercise("12.9")
 def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
     """True and False are exchanged. Always True. Always False: a and b are left among the thirds,
     or no vertex is allowed to be shared. Only the faces at the edge are counted. Two must be
@@ -393,7 +330,7 @@ def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
     assert_equal(asked(impl, faces, pairs), expected, given(faces, pairs))
 
 
-@exercise("12.10")
+@exercise("12.9")
 def test_a_tetrahedrons_edges_share_the_thirds_of_both_faces(impl):
     """Only the first face at the edge is looked at: the third vertex of the second one is missing.
     No vertex may be shared, or only one."""
@@ -402,15 +339,7 @@ def test_a_tetrahedrons_edges_share_the_thirds_of_both_faces(impl):
     assert_equal(asked(impl, faces, pairs), np.full(4, True), given(faces, pairs))
 
 
-@exercise("12.10")
-def test_from_tip_to_ring_a_double_pyramid_may_be_collapsed(impl):
-    """The union of the neighbours is taken, not those that both ends share: instead of the
-    intersection, all neighbours must be third vertices."""
-    pairs = [*itertools.product((0, 4), (1, 2, 3)), (2, 0), (3, 4)]
-    assert_equal(asked(impl, meshes.DOUBLE, pairs), np.full(8, True), given(meshes.DOUBLE, pairs))
-
-
-@exercise("12.10")
+@exercise("12.9")
 def test_the_ring_of_a_double_pyramid_must_not_be_pinched(impl):
     """The two thirds are shared, but so is the ring's other vertex: more may not be shared."""
     for a, b in itertools.permutations((1, 2, 3), 2):
@@ -420,16 +349,7 @@ def test_the_ring_of_a_double_pyramid_must_not_be_pinched(impl):
         assert_equal(impl.satisfies_link_condition(meshes.DOUBLE, b, a), True)
 
 
-@exercise("12.10")
-def test_every_edge_of_a_sphere_satisfies_it(impl):
-    """The numbers of the vertices count, not only who is shared, or the size of the ring does."""
-    _, faces = mesh.icosphere(20)
-    for a, b in meshes.edges_of(faces):
-        near = faces[(faces == a).any(1) | (faces == b).any(1)]
-        assert_equal(impl.satisfies_link_condition(near + 5, a + 5, b + 5), True)
-
-
-@exercise("12.10")
+@exercise("12.9")
 def test_a_thin_ring_must_not_lose_its_hole(impl, rng):
     """Around a tube of three edges: to collapse one would tear the tube."""
     faces = rng.permutation(18)[mesh.torus(36, tube=0.1)[1]]
@@ -440,7 +360,7 @@ def test_a_thin_ring_must_not_lose_its_hole(impl, rng):
                      (at[0] & at[1]) - {a, b} == thirds)
 
 
-@exercise("12.10")
+@exercise("12.9")
 def test_three_faces_at_an_edge_have_three_thirds(impl):
     """The number of shared neighbours is compared with 2, not with the third vertices of the
     faces."""
@@ -456,7 +376,7 @@ def asked_flips(impl, before, afters):
     return np.array([impl.flips(before, after) for after in afters])
 
 
-@exercise("12.12")
+@exercise("12.11")
 def test_a_face_that_turns_over_flips(impl):
     """True and False are exchanged. Always False. A face that only moves, grows, or turns in its
     own plane flips: corners or sides are compared, not normals."""
@@ -467,7 +387,7 @@ def test_a_face_that_turns_over_flips(impl):
                  f"before={before.tolist()}, and four triangles after={np.stack(afters).tolist()}")
 
 
-@exercise("12.12")
+@exercise("12.11")
 def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
     """It is another angle: 90 degrees where only the sign of n . n' is asked, or 45 taken as
     radians. It is the sine instead of the cosine. n . n' is not divided by both lengths."""
@@ -481,19 +401,7 @@ def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
                  f"of the y, z in {heights}")
 
 
-@exercise("12.12")
-def test_a_triangle_that_loses_its_area_flips(impl):
-    """A normal that becomes uncertain is let through: the shape, LEAST_SHAPE, is not asked. Needles
-    and slivers come."""
-    before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
-    heights = [1e-3, 0.5, 0.0, 0.1, 1e-6]
-    afters = [triangle([0, 0, 0], [2, 0, 0], [0.5, height, 0]) for height in heights]
-    assert_equal(asked_flips(impl, before, afters), [True, False, True, False, True],
-                 f"before={before.tolist()}, and after with the third corner at 0.5, y, 0 for each "
-                 f"y in {heights}")
-
-
-@exercise("12.12")
+@exercise("12.11")
 def test_the_angle_between_the_normals_decides(impl, rng):
     """A side is measured from the origin, which is right only where the first corner lies there. n
     is not divided by its length."""
@@ -507,7 +415,7 @@ def test_the_angle_between_the_normals_decides(impl, rng):
         assert_equal(impl.flips(before, after), bool(cosine < meshes.LEAST_COSINE or thinner))
 
 
-@exercise("12.12")
+@exercise("12.11")
 def test_a_triangle_must_not_become_a_sliver(impl):
     """The area is compared, not the shape, or the new shape with LEAST_SHAPE itself, not times the
     old one: a sliver may stay one. The longest edge is taken for one of the others."""
@@ -523,17 +431,7 @@ def test_a_triangle_must_not_become_a_sliver(impl):
     assert_equal(impl.flips(right, 1e-4 * right), False)
 
 
-@exercise("12.12")
-def test_the_size_of_a_triangle_does_not_matter(impl):
-    """A number that has a unit decides: n . n' is not divided by the lengths of both."""
-    before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
-    for size in 1e-6, 1e6:
-        for height, expected in (1.05, False), (0.95, True), (-0.01, True):
-            after = triangle([0, 0, 0], [2, 0, 0], [0, height, 1])
-            assert_equal(impl.flips(size * before, size * after), expected)
-
-
-@exercise("12.12")
+@exercise("12.11")
 def test_one_of_many_is_enough(impl, rng):
     """All triangles must flip, instead of any: all for any. Or only the first or the last one is
     looked at."""
@@ -545,7 +443,7 @@ def test_one_of_many_is_enough(impl, rng):
         assert_equal(impl.flips(before, after), True)
 
 
-@exercise("12.12", fine_print=True)
+@exercise("12.11", fine_print=True)
 def test_one_without_area_never_flips(impl, rng):
     """A face that had no area keeps its neighbours from ever moving."""
     before = rng.normal(size=(5, 3, 3))
@@ -567,7 +465,7 @@ def assert_refused(impl, vertices, faces, pairs, places, expected):
 PYRAMID = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])  # of DOUBLE
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_a_collapse_in_a_fine_ball_is_allowed(impl):
     """It is refused, or the answer is True, or the reason of the last test that was asked."""
     vertices, faces = mesh.icosphere(320)
@@ -576,14 +474,14 @@ def test_a_collapse_in_a_fine_ball_is_allowed(impl):
     assert_refused(impl, vertices, faces, pairs, places, np.zeros(len(pairs), int))
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_the_ring_of_a_double_pyramid_is_refused_by_the_link_condition(impl):
     """Eq. (8) is not asked, or the wrong way round, or its reason is another number than LINK."""
     pairs = [(1, 2), (2, 3), (3, 1)]
     assert_refused(impl, PYRAMID, meshes.DOUBLE, pairs, PYRAMID[[1, 2, 3]], [1, 1, 1])
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_the_edges_of_a_tetrahedron_leave_twins(impl):
     """Twins are not looked for, or among the faces before the collapse."""
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
@@ -592,7 +490,7 @@ def test_the_edges_of_a_tetrahedron_leave_twins(impl):
         assert_refused(impl, PYRAMID[:count], faces, pairs, PYRAMID[[0, 2, 2]], [2, 2, 2])
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_a_place_on_the_other_side_of_a_ball_flips_its_faces(impl):
     """Flips are not looked for. The corners do not move to the position, or only those of a do:
     b's faces stand still. The faces that vanish are asked, too."""
@@ -602,7 +500,7 @@ def test_a_place_on_the_other_side_of_a_ball_flips_its_faces(impl):
     assert_refused(impl, vertices, faces, pairs, places, np.full(len(pairs), 3))
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_a_face_must_not_become_a_sliver(impl):
     """The corners after the collapse are taken for those before it: a sliver may become a face."""
     vertices, faces = mesh.grid(32)
@@ -612,7 +510,7 @@ def test_a_face_must_not_become_a_sliver(impl):
     assert_refused(impl, vertices, faces, [(a, b)] * len(places), places, [3] * len(places))
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_the_first_reason_counts(impl):
     """Flips or twins are asked before the link condition."""
     faces = np.concatenate([meshes.DOUBLE, [[5, 7, 6], [5, 6, 8], [6, 7, 8], [5, 8, 7]]])
@@ -621,7 +519,7 @@ def test_the_first_reason_counts(impl):
                    [1, 2, 3])
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_a_face_to_outside_has_no_place(impl, rng):
     """The vertex V is looked up and not found, or the last vertex is taken for it. Faces to outside
     are left out of the link condition, too: a strip loses its middle."""
@@ -643,7 +541,7 @@ def assert_as_searched(impl, vertices, faces, pairs, rng):
         assert_refused(impl, vertices, faces, pairs, places, expected)
 
 
-@exercise("12.11")
+@exercise("12.10")
 def test_reasons_are_those_of_a_search(impl, rng):
     """Faces are mixed: corners of one before, of another after. Only the first face is asked."""
     for vertices, faces in mesh.icosphere(20), mesh.torus(36, tube=0.2):
@@ -651,7 +549,7 @@ def test_reasons_are_those_of_a_search(impl, rng):
         assert_as_searched(impl, vertices, faces, meshes.edges_of(faces).tolist(), rng)
 
 
-@exercise("12.11", fine_print=True)
+@exercise("12.10", fine_print=True)
 def test_a_pair_that_is_no_edge_joins_two_sheets(impl):
     """The link condition is asked of it: it shares no third vertex. Or its faces to outside, which
     close both sheets, are twins."""
@@ -670,13 +568,13 @@ def loop(impl, vertices, faces, face_count):
     return impl.simplify_loop(vertices, faces, meshes.quadrics_of(vertices, faces), face_count)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_nothing_to_do(impl, rng):
     """One collapse too many, where there are just as many faces as asked for: >= instead of >."""
     meshes.check_nothing_to_do(functools.partial(loop, impl), rng)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
     """One collapse too few: it stops above face_count. One too many. Several edges are collapsed in
     one round, before the faces are counted again. Or none is: why_refused is 0 for an edge that may
@@ -684,19 +582,7 @@ def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
     meshes.check_where_it_stops(functools.partial(loop, impl), rng)
 
 
-@exercise("12.13")
-def test_the_cheapest_edge_is_collapsed_into_its_lower_vertex(impl, rng):
-    """It is another edge than the cheapest. The upper vertex stays, not the lower one. Vertices are
-    renumbered, or faces of both vertices are left."""
-    vertices, faces = meshes.bumpy(20, rng, 0.2)
-    [(expected, left)] = meshes.greedy(vertices, faces, [19])
-    got, got_left = loop(impl, vertices, faces, 19)
-    ball = "a ball of 20 faces, down to 19"
-    meshes.assert_left(got_left, faces, left, ball)
-    assert_equal(np.shape(got), np.shape(expected), ball)
-
-
-@exercise("12.13")
+@exercise("12.12")
 def test_one_collapse(impl, rng):
     """The vertex that is left does not move to the pair's best position: it stays where it was,
     goes to the middle, or to another pair's position."""
@@ -748,7 +634,7 @@ def collapsed(faces, *pairs):
     return faces
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_a_refused_edge_is_not_collapsed(impl, rng):
     """The cheapest edge is collapsed without asking why_refused, or though it is refused. 0 means
     that it may be collapsed."""
@@ -759,7 +645,7 @@ def test_a_refused_edge_is_not_collapsed(impl, rng):
                  f"of this edge are left: {list(bad)}", ball)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_after_a_refused_edge_the_next_cheapest_is_tried(impl, rng):
     """It gives up when the cheapest edge is refused. The next cheapest one must be tried, and so
     on."""
@@ -770,7 +656,7 @@ def test_after_a_refused_edge_the_next_cheapest_is_tried(impl, rng):
     meshes.assert_left(left, faces, collapsed(faces, good), ball)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_edges_and_costs_are_renewed_after_each_collapse(impl, rng):
     """Edges and costs are computed once, before the loop, and never again: they are out of date
     after a collapse. The upper vertex's edges are lost; the lower one gets them."""
@@ -788,7 +674,7 @@ def test_edges_and_costs_are_renewed_after_each_collapse(impl, rng):
     meshes.assert_left(left, faces, collapsed(faces, (a, b), (a, x)), ball)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_the_lower_vertex_gets_the_sum_of_both_quadrics(impl, rng):
     """Quadrics are not summed: the lower vertex keeps its own, or gets that of the upper one, or
     their mean."""
@@ -809,39 +695,21 @@ def test_the_lower_vertex_gets_the_sum_of_both_quadrics(impl, rng):
         meshes.assert_left(left, faces, collapsed(faces, (a, b), (c, d)), ball)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_all_collapses_are_those_of_the_slow_loop(impl, rng):
     """Costs are out of date, quadrics are not summed, or a refused edge ends the loop, somewhere on
     the way. The first collapse that differs is shown."""
     meshes.check_all_collapses(functools.partial(loop, impl), rng)
 
 
-@exercise("12.13", fine_print=True)
-def test_of_equal_costs_the_first_pair_counts(impl, rng):
-    """The last one, or any one. Here errors are small whole numbers, the same everywhere, so that
-    vertices stay in their places, too."""
-    vertices, faces = meshes.bumpy(80, rng, 0.02)
-    error_of = rng.integers(0, 2, len(vertices))
-    got, left = impl.simplify_loop(vertices, faces, constant(error_of), 40)
-    expected = faces
-    while len(expected) > 40:
-        edges = sorted(meshes.edges_of(expected).tolist(), key=lambda pair: error_of[pair].sum())
-        a, b = next((a, b) for a, b in edges
-                    if meshes.is_allowed(vertices, expected.tolist(), a, b, vertices[a]))
-        expected = np.array(collapsed(expected, (a, b)))
-        error_of[a] += error_of[b]
-    assert_equal(meshes.rows(left), meshes.rows(expected))
-    assert_equal(got, vertices)
-
-
-@exercise("12.13")
+@exercise("12.12")
 def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
     """why_refused is not asked: a torus becomes a sphere, an edge gets four faces or one, or a face
     comes twice."""
     meshes.check_it_stays_closed(functools.partial(loop, impl), rng)
 
 
-@exercise("12.13")
+@exercise("12.12")
 def test_it_ends_with_a_tetrahedron(impl, rng):
     """The number of faces cannot be reached, since all edges are refused: an endless loop, or
     nothing is left."""

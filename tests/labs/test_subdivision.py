@@ -59,18 +59,6 @@ def test_a_path_inside(impl):
 
 
 @exercise("11.4")
-def test_a_vertex_of_no_edge_stays(impl):
-    """The 1 on the diagonal is there only for vertices with an edge. An isolated vertex goes to 0,
-    or is nan."""
-    entries = impl.vertex_rows(np.array([[1, 3]]), np.array([False]),
-                               np.array([9.0, 0.25, 8.0, 0.5, 7.0]), 0.125)
-    expected = np.eye(5)
-    expected[1, [1, 3]] = 0.75, 0.25
-    expected[3, [1, 3]] = 0.5
-    assert_close(meshes.dense(entries, (5, 5)), expected)
-
-
-@exercise("11.4")
 def test_a_path_with_a_boundary_edge(impl):
     """A vertex on the boundary is pulled along inner edges as well, by u or w. It is pulled by u
     instead of w: the boundary is ignored. A vertex inside is not pulled by one on the boundary."""

@@ -4,7 +4,13 @@ import itertools
 import numpy as np
 
 from course.given import mesh
-from reference.simplification import best_anywhere, best_of_three, best_on_segment, boundary_planes
+from reference.simplification import (
+    best_anywhere,
+    best_of_three,
+    best_on_segment,
+    boundary_planes,
+    flips,
+)
 
 
 def quadric_error(q, x):
@@ -50,30 +56,17 @@ def satisfies_link_condition(faces, a, b):
     return (near_a & near_b) - {a, b} == thirds - {a, b}
 
 
-def normals(corners):
-    """Unit normals of triangles, and how thick each is beside its longest edge."""
-    p, q, r = corners
-    n, longest = np.cross(q - p, r - p), max(map(np.linalg.norm, (q - p, r - q, p - r)))
-    return n / (np.linalg.norm(n) or 1), np.linalg.norm(n) / longest**2
-
-
 def why_refused(vertices, faces, a, b, position):
-    left, whole = [], [set(face) for face in np.asarray(faces).tolist()]
-    is_edge = any({a, b} <= face for face in whole)
+    is_edge = any({a, b} <= set(face) for face in faces.tolist())
     if is_edge and not satisfies_link_condition(faces, a, b):
         return 1
-    for face in np.asarray(faces).tolist():
-        if not {a, b} <= set(face) and (is_edge or max(face) < len(vertices)):
-            left.append(face)
+    left = [face for face in faces.tolist()
+            if not {a, b} <= set(face) and (is_edge or max(face) < len(vertices))]
     if len({frozenset(a if v == b else v for v in face) for face in left}) < len(left):
         return 2
-    for face in left:
-        if max(face) < len(vertices):
-            n, thick = normals(vertices[face])
-            m, thin = normals([position if v in (a, b) else vertices[v] for v in face])
-            if thick and (n @ m < 0.5**0.5 or thin < 0.01 * thick):
-                return 3
-    return 0
+    real, moved = [face for face in left if max(face) < len(vertices)], vertices.copy()
+    moved[[a, b]] = position
+    return 3 * flips(vertices[real], moved[real]) if real else 0
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):

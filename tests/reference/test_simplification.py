@@ -7,6 +7,7 @@ import pytest
 from simplification_meshes import euler, planes_of
 
 from course.given import distances, mesh
+from course.given.gradcheck import gradcheck
 from labkit.checks import assert_close, assert_equal
 from reference import collapse_heap, simplification, subdivision
 
@@ -229,17 +230,11 @@ def test_near_vertices_are_pairs_too():
     assert_equal(simplification.valid_pairs(vertices, faces, 0.51), expected)
 
 
-def test_of_equal_errors_the_first_counts():
-    """The order is a, b, middle."""
-    plane, hill = planes_of([0, 0, 1, 0]), -planes_of([1, 0, 0, 0], [1, 0, 0, -2])
-    slope = np.zeros((1, 4, 4))
-    slope[0, 0, 3] = slope[0, 3, 0] = -1.0
-    q = np.concatenate([plane, hill, slope])
-    a = np.array([[4.0, 1.0, 0.0], [0.0, 5.0, 0.0], [0.0, 5.0, 0.0]])
-    b = np.array([[8.0, 3.0, 0.0], [2.0, 7.0, 0.0], [2.0, 7.0, 0.0]])
-    assert_equal(simplification.best_of_three(q, a, b), [a[0], a[1], b[2]])
-    valley = planes_of([1, 0, 0, -1.5])          # b and the middle are equally good
-    assert_equal(simplification.best_of_three(valley, a[1:2], b[1:2]), b[1:2])
+def test_an_error_has_a_gradient():
+    """(Q + Q^T) v is taken for 2 Q v, or a factor is missing. All 16 numbers of Q are free."""
+    rng = np.random.default_rng(0)
+    gradcheck(simplification.quadric_error, simplification.quadric_error_backward,
+              (rng.normal(size=(3, 2, 4, 4)), rng.normal(size=(3, 2, 3))), name="quadric_error")
 
 
 def test_without_any_plane_a_stays():
