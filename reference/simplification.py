@@ -244,8 +244,7 @@ def collapse_faces(faces, a, b):  # step 12.1
 def satisfies_link_condition(faces, a, b):  # step 12.9
     """Eq. (8): may the edge between the vertices a and b be collapsed? -> bool
 
-    faces (N, 3): at least all that have a or b. Below, 0 and 4 are the tips of a double pyramid. An
-    edge of its ring 1 2 3 must stay.
+    faces (N, 3): at least all that have a or b. Below is a double pyramid with the ring 1 2 3.
 
     >>> faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> satisfies_link_condition(faces, 0, 1), satisfies_link_condition(faces, 1, 2)
@@ -292,9 +291,9 @@ def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
     """May the edge a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
 
     vertices (V, 3), faces (N, 3): at least all that have a or b, of a closed surface. The first
-    reason counts. `has_twins` asks about the faces that a collapse leaves, `flips` about their
-    corners before and after. A face with the vertex V, `outside` of collapse_heap.py, has no place:
-    it does not flip. `demo simplified` draws a bunny that stays whole.
+    reason counts. `has_twins` asks about the faces that are left, `flips` about their corners
+    before and after. A face with the vertex V (`outside`) has no place and does not flip. See
+    `demo simplified`.
 
     >>> ring = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> x = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])
@@ -318,11 +317,10 @@ def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.12 (3 points)
-    """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
+    """Down to face_count faces, collapse the cheapest of `mesh.edges` with `why_refused` 0, if any.
 
-    `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
-    quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
-    See `demo simplified`.
+    vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces. The lower
+    vertex gets the place and the summed quadrics. See `demo simplified`.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)
