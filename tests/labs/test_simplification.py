@@ -543,7 +543,8 @@ def assert_as_searched(impl, vertices, faces, pairs, rng):
 
 @exercise("12.10")
 def test_reasons_are_those_of_a_search(impl, rng):
-    """Faces are mixed: corners of one before, of another after. Only the first face is asked."""
+    """Before the collapse, b's faces are looked at as if b stood at a. Corners of one face before
+    are compared with those of another after. Only the first face is asked."""
     for vertices, faces in mesh.icosphere(20), mesh.torus(36, tube=0.2):
         vertices = vertices + 0.05 * rng.normal(size=vertices.shape)
         assert_as_searched(impl, vertices, faces, meshes.edges_of(faces).tolist(), rng)
