@@ -12,10 +12,10 @@ Both formulas of (4) are known as Loop's. They agree only at valences 3 and 6.
 Sources: a lecture on geometry, Loop 1987, Warren 1995.
 """
 import numpy as np
-import scipy.sparse
 
 from .subdivision import (
     as_matrix,
+    edges_of,
     faces_at_edges,
     join,
     on_boundary,
@@ -26,7 +26,7 @@ from .subdivision import (
     vertex_rows,
 )
 
-# Point by point: slow and obvious
+# The weights, and the faces
 
 
 def warren_weight(n):
@@ -38,7 +38,7 @@ def warren_weight(n):
     return np.where(n == 3, 3 / 16, 3 / (8 * n))
 
 
-def loop_weight(n):  # extra 11.4 (1 point)
+def loop_weight(n):
     """Eq. (4), Loop's own: valences n (...), integers >= 1 -> u (...).
 
     >>> loop_weight(np.array([3, 4, 6]))
@@ -47,43 +47,7 @@ def loop_weight(n):  # extra 11.4 (1 point)
     return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
 
 
-def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
-    """Eqs. (3) and (5), point by point: the old vertices, then the edges of `faces_at_edges`.
-
-    vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). w = 1/8. `ring_of` tells who is near.
-    Your own smooth mesh: `python3 -m course demo --impl labs rounded`
-
-    >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
-    >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
-    array([[1., 1.],
-           [6., 1.],
-           [1., 6.],
-           [4., 0.],
-           [0., 4.],
-           [4., 4.]])
-    """
-    raise NotImplementedError("exercise 11.5: loop_slow")
-
-
-# The same as one matrix, S. Its transpose is the gradient.
-
-
-def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
-    """Eq. (5) as a sparse matrix from V old points to E edge points: its entries, in any order.
-
-    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of` -> rows, columns, weights, for
-    `as_matrix`, which adds up those of one place. `on_boundary` and `join` are given.
-
-    >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
-    >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
-    >>> as_matrix(loop_edge_rows(faces, edges, corner_edge), (5, 4)).toarray()[1:3]
-    array([[0.5  , 0.   , 0.5  , 0.   ],
-           [0.125, 0.375, 0.375, 0.125]])
-    """
-    raise NotImplementedError("exercise 11.8: loop_edge_rows")
-
-
-def loop_faces(faces, corner_edge, vertex_count):  # extra 11.9 (2 points)
+def loop_faces(faces, corner_edge, vertex_count):  # step 11.2
     """Each triangle A B C becomes (A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA).
 
     faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3), face by face. The new vertex on
@@ -95,9 +59,45 @@ def loop_faces(faces, corner_edge, vertex_count):  # extra 11.9 (2 points)
            [4, 5, 2],
            [3, 5, 4]])
     """
-    a, b, c = faces.T
-    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
-    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
+    raise NotImplementedError("exercise 11.2: loop_faces")
+
+
+# Point by point: slow and obvious
+
+
+def loop_slow(vertices, faces, u):  # exercise 11.3 (4 points)
+    """A whole step of Loop, point by point: eqs. (3), with w = 1/8, and (5), then `loop_faces`.
+
+    vertices (V, C), faces (F, 3), u (V,) -> vertices (V + E, C): the old ones, then the edges in
+    the order of `faces_at_edges`, which is that of `edges_of`; and the new faces (4 F, 3).
+    `ring_of` tells who is near. A ring is rounded in `python3 -m course demo --impl labs rounded`.
+
+    >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
+    >>> vertices, faces = loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
+    >>> vertices.tolist(), faces[0]
+    ([[1.0, 1.0], [6.0, 1.0], [1.0, 6.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.0]], array([0, 3, 4]))
+    """
+    raise NotImplementedError("exercise 11.3: loop_slow")
+
+
+# The same as one matrix, S. Its transpose is the gradient.
+
+
+def loop_rows(faces, edges, corner_edge, u):  # exercise 11.5 (4 points)
+    """Eqs. (3), with w = 1/8, and (5) as one matrix S: its entries (rows, columns, weights), of
+    V + E rows and V columns, in any order.
+
+    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`, u (V,). `vertex_rows` is a step
+    on the way. Entries of one place add up. `on_boundary` and `join` are given. A cage steers its
+    surface by it: `python3 -m course demo --impl labs cage`.
+
+    >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
+    >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
+    >>> as_matrix(loop_rows(faces, edges, corner_edge, np.ones(4)), (9, 4)).toarray()[[0, 6]]
+    array([[0.75 , 0.125, 0.125, 0.   ],
+           [0.125, 0.375, 0.375, 0.125]])
+    """
+    raise NotImplementedError("exercise 11.5: loop_rows")
 
 
 def loop_step(faces, vertex_count, weight=warren_weight):
@@ -106,13 +106,11 @@ def loop_step(faces, vertex_count, weight=warren_weight):
     faces (F, 3), weight: warren_weight or loop_weight. ValueError: see `topology`.
     """
     corners, counts = triangles(faces)
-    edges, corner_edge, is_boundary = topology(corners, counts, vertex_count)
+    edges, corner_edge, _ = topology(corners, counts, vertex_count)
     faces = corners.reshape(-1, 3)
-    u = weight(np.maximum(valences(edges, vertex_count), 1))
-    at_vertices = vertex_rows(edges, is_boundary, u, 1 / 8)
-    on_edges = loop_edge_rows(faces, edges, corner_edge)
-    S = scipy.sparse.vstack([as_matrix(at_vertices, (vertex_count, vertex_count)),
-                             as_matrix(on_edges, (len(edges), vertex_count))], "csr")
+    entries = loop_rows(faces, edges, corner_edge,
+                        weight(np.maximum(valences(edges, vertex_count), 1)))
+    S = as_matrix(entries, (vertex_count + len(edges), vertex_count))
     return S, loop_faces(faces, corner_edge, vertex_count)
 
 
@@ -140,7 +138,7 @@ def loop_backward(grad_new, vertices, faces, weight=warren_weight):
 # The limit
 
 
-def limit_weight(n, u):  # extra 11.14 (1 point)
+def limit_weight(n, u):
     """Eq. (6): valences n (...) and their weights u (...) of eq. (4) -> m (...).
 
     >>> limit_weight(np.array([6]), np.array([1 / 16])).round(9)
@@ -170,11 +168,11 @@ def loop_surface(cage, faces, steps):
     return loop_limit_matrix(faces, len(cage)) @ cage, faces
 
 
-def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.16 (3 points)
+def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.9 (2 points)
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
-    grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. Section
-    8 of the lecture pulls a cage with this gradient.
+    grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. It
+    pulls a cage to the bunny: `python3 -m course demo --impl labs cage`.
 
     >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
     >>> grad_surface = np.zeros((10, 1))
@@ -182,4 +180,4 @@ def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise
     >>> loop_surface_backward(grad_surface, tetrahedron, 4, 1)[:, 0].round(9)
     array([64., 32., 32., 32.])
     """
-    raise NotImplementedError("exercise 11.16: loop_surface_backward")
+    raise NotImplementedError("exercise 11.9: loop_surface_backward")

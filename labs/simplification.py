@@ -49,7 +49,7 @@ def face_planes(vertices, faces):
     return np.column_stack([n, -(n * vertices[faces[:, 0]]).sum(1)])
 
 
-def plane_quadrics(planes):  # exercise 12.2 (1 point)
+def plane_quadrics(planes):  # step 12.2
     """Eq. (2): planes (..., 4) -> Q (..., 4, 4).
 
     >>> plane_quadrics(np.array([1.0, 2.0, 0.0, 3.0]))[:2]
@@ -59,26 +59,16 @@ def plane_quadrics(planes):  # exercise 12.2 (1 point)
     raise NotImplementedError("exercise 12.2: plane_quadrics")
 
 
-def vertex_quadrics(face_quadrics, faces, vertex_count):  # exercise 12.3 (2 points)
-    """Eq. (3): face_quadrics area Q (F, 4, 4), faces (F, 3) -> (V, 4, 4), V = vertex_count.
-
-    >>> q = vertex_quadrics(np.ones((2, 4, 4)), np.array([[0, 1, 2], [1, 2, 4]]), 5)
-    >>> q[:, 0, 0]
-    array([1., 2., 2., 0., 1.])
-    """
-    raise NotImplementedError("exercise 12.3: vertex_quadrics")
-
-
-def quadric_error(q, x):  # exercise 12.4 (1 point)
+def quadric_error(q, x):  # step 12.3
     """Eq. (2): the error v^T Q v of points x: q (..., 4, 4), x (..., 3) broadcast -> (...).
 
     >>> quadric_error(plane_quadrics(np.array([0.0, 0.0, 1.0, -2.0])), np.array([7.0, 8.0, 5.0]))
     np.float64(9.0)
     """
-    raise NotImplementedError("exercise 12.4: quadric_error")
+    raise NotImplementedError("exercise 12.3: quadric_error")
 
 
-def quadric_error_backward(grad_error, q, x):  # extra 12.5 (2 points)
+def quadric_error_backward(grad_error, q, x):
     """Backward of `quadric_error`: grad_error (...) -> grad_q (..., 4, 4), grad_x (..., 3).
 
     q (..., 4, 4) and x (..., 3) have the same leading shape. All 16 numbers of q are free, so q
@@ -97,7 +87,7 @@ def quadric_error_backward(grad_error, q, x):  # extra 12.5 (2 points)
     return grad_q, grad_v[..., :3]
 
 
-def boundary_planes(vertices, faces):  # extra 12.6 (3 points)
+def boundary_planes(vertices, faces):  # extra 12.5 (3 points)
     """The planes that hold the boundary: edges (B, 2) as in `mesh.boundary_edges`, p (B, 4).
 
     A boundary edge has one face. Its plane contains the edge and is perpendicular to that face. The
@@ -122,17 +112,24 @@ def boundary_planes(vertices, faces):  # extra 12.6 (3 points)
     return edges[lonely], np.column_stack([n, -(n * a).sum(1)])
 
 
+def surface_quadrics(vertices, faces):  # exercise 12.4 (3 points)
+    """Eq. (3) for all vertices, and the planes that hold the boundary: (V, 4, 4).
+
+    vertices (V, 3), faces (F, 3). A face counts at its three vertices, with its area. Each plane of
+    `boundary_planes` counts at both ends of its edge, with BOUNDARY_WEIGHT times the square of the
+    edge's length. `face_planes` and `scatter` are given. They choose what is left of the bunny in
+    `python3 -m course demo --impl labs simplified`.
+
+    >>> triangle = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    >>> surface_quadrics(triangle, np.array([[0, 1, 2]]))[0].diagonal()
+    array([10., 40.,  1.,  0.])
+    """
+    raise NotImplementedError("exercise 12.4: surface_quadrics")
+
+
 def mesh_quadrics(vertices, faces):
-    """Eq. (3), the planes of the boundary, and a slight PULL to where a vertex is: (V, 4, 4)."""
-    a, b, c = vertices[faces.T]
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
-    weighted = area[:, None, None] * plane_quadrics(face_planes(vertices, faces))
-    quadrics = vertex_quadrics(weighted, faces, len(vertices))
-    edges, planes = boundary_planes(vertices, faces)
-    a, b = vertices[edges.T]
-    weight = BOUNDARY_WEIGHT * ((b - a)**2).sum(1)
-    held = np.stack(2 * [weight[:, None, None] * plane_quadrics(planes)])
-    quadrics += scatter(held, edges.T, len(vertices))
+    """`surface_quadrics`, and a slight PULL to where a vertex is: (V, 4, 4)."""
+    quadrics = surface_quadrics(vertices, faces)
     pull = PULL * quadrics[:, :3, :3].trace(axis1=1, axis2=2)
     return quadrics + pull[:, None, None] * point_quadrics(vertices)
 
@@ -186,7 +183,7 @@ def best_of_three(q, a, b):
     return three[least, np.arange(len(a))]
 
 
-def best_anywhere(q):  # exercise 12.10 (2 points)
+def best_anywhere(q):  # step 12.6
     """Eq. (5): the places x (N, 3) of least error. q (N, 4, 4) symmetric, A invertible.
 
     `np.linalg.solve` takes the right-hand sides as (N, 3, 1).
@@ -195,42 +192,25 @@ def best_anywhere(q):  # exercise 12.10 (2 points)
     >>> best_anywhere(corner[None])
     array([[1., 2., 3.]])
     """
-    raise NotImplementedError("exercise 12.10: best_anywhere")
+    raise NotImplementedError("exercise 12.6: best_anywhere")
 
 
-def best_position(q, a, b):
-    """Where to put the vertex that a pair becomes: (N, 3).
+def pair_costs(vertices, quadrics, pairs):  # exercise 12.7 (3 points)
+    """Eq. (4): the place of each pair, (N, 3), and its cost there, (N,).
 
-    q (N, 4, 4), the sum of the pair's quadrics, symmetric. a, b (N, 3), its two vertices. Eq. (5)
-    is used where the least eigenvalue of A is greater than LEAST_CURVATURE times the greatest.
-    Otherwise eq. (6) is used where it is unique, and eq. (7) elsewhere.
-    """
-    spread = np.linalg.eigvalsh(q[:, :3, :3])
-    curved = spread[:, 0] > LEAST_CURVATURE * spread[:, 2]
-    position = np.empty(a.shape)
-    if curved.any():
-        position[curved] = best_anywhere(q[curved])
-    if not curved.all():
-        rest = q[~curved], a[~curved], b[~curved]
-        on_segment, unique = best_on_segment(*rest)
-        position[~curved] = np.where(unique[:, None], on_segment, best_of_three(*rest))
-    return position
-
-
-def pair_costs(vertices, quadrics, pairs):  # exercise 12.17 (1 point)
-    """Eq. (4): the `best_position` of each pair, (N, 3), and its cost there, (N,).
-
-    vertices (V, 3), quadrics (V, 4, 4), pairs (N, 2).
+    vertices (V, 3), quadrics (V, 4, 4) symmetric, pairs (N, 2). Eq. (5) is used where the least
+    eigenvalue of A (`np.linalg.eigvalsh`) is greater than LEAST_CURVATURE times the greatest. Else
+    eq. (6) is used where it is unique, and eq. (7) elsewhere: `best_on_segment`, `best_of_three`.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]])
     >>> quadrics = plane_quadrics(np.array([[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, -4.0]]))
     >>> pair_costs(vertices, quadrics, np.array([[0, 1]]))
     (array([[2., 0., 0.]]), array([8.]))
     """
-    raise NotImplementedError("exercise 12.17: pair_costs")
+    raise NotImplementedError("exercise 12.7: pair_costs")
 
 
-def collapse_faces(faces, a, b):  # exercise 12.11 (2 points)
+def collapse_faces(faces, a, b):  # step 12.1
     """The faces (N, 3) after the vertices a and b became one, called a: (M, 3).
 
     Faces with both of them go. The others keep their order.
@@ -238,20 +218,19 @@ def collapse_faces(faces, a, b):  # exercise 12.11 (2 points)
     >>> collapse_faces(np.array([[0, 1, 2], [2, 1, 3], [4, 2, 3]]), 1, 2)
     array([[4, 1, 3]])
     """
-    raise NotImplementedError("exercise 12.11: collapse_faces")
+    raise NotImplementedError("exercise 12.1: collapse_faces")
 
 
-def satisfies_link_condition(faces, a, b):  # exercise 12.12 (3 points)
+def satisfies_link_condition(faces, a, b):  # step 12.9
     """Eq. (8): may the edge between the vertices a and b be collapsed? -> bool
 
-    faces (N, 3): at least all that have a or b. Below, 0 and 4 are the tips of a double pyramid. An
-    edge of its ring 1 2 3 must stay.
+    faces (N, 3): at least all that have a or b. Below is a double pyramid with the ring 1 2 3.
 
     >>> faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> satisfies_link_condition(faces, 0, 1), satisfies_link_condition(faces, 1, 2)
     (True, False)
     """
-    raise NotImplementedError("exercise 12.12: satisfies_link_condition")
+    raise NotImplementedError("exercise 12.9: satisfies_link_condition")
 
 
 def has_twins(faces):
@@ -259,7 +238,7 @@ def has_twins(faces):
     return len({frozenset(face) for face in faces.tolist()}) < len(faces)
 
 
-def flips(before, after):  # extra 12.14 (2 points)
+def flips(before, after):  # extra 12.11 (2 points)
     """Does the normal n of any triangle turn by more than 45 degrees, or become uncertain? -> bool
 
     before, after (N, 3, 3): the corners of N triangles. A normal becomes uncertain if the shape,
@@ -285,43 +264,34 @@ def flips(before, after):  # extra 12.14 (2 points)
     return bool((turns | thins).any())
 
 
-def faces_at(faces, a, b):
-    """Those of the faces (F, 3) that have the vertex a or b."""
-    return faces[((faces == a) | (faces == b)).any(1)]
+def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
+    """May the edge a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
 
+    vertices (V, 3), faces (N, 3): at least all that have a or b, of a closed surface. The first
+    reason counts. `has_twins` asks about the faces that are left, `flips` about their corners
+    before and after. A face with the vertex V (`outside`) has no place and does not flip. See
+    `demo simplified`.
 
-def why_refused(vertices, faces, a, b, position):
-    """May the pair a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
+    >>> ring = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
+    >>> x = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])
+    >>> why_refused(x, ring, 1, 2, x[1]) == LINK, why_refused(x, ring, 0, 1, -9 * x[0]) == FLIP
+    (True, True)
 
-    faces (N, 3): at least all that have a or b, on a closed surface. Its vertex len(vertices) is
-    `outside`, see collapse_heap.py. Eq. (8) is not asked of a pair that is no edge: such a pair
-    joins two sheets, on purpose.
+    Fine print. A pair that is no edge joins two sheets on purpose. It need not satisfy eq. (8), and
+    its faces to outside may be twins.
     """
-    vanish = (faces == a).any(1) & (faces == b).any(1)
-    is_edge = vanish.any()
-    if is_edge and not satisfies_link_condition(faces, a, b):
-        return LINK
-    kept = collapse_faces(faces, a, b)
-    real = (kept < len(vertices)).all(1)
-    if has_twins(kept if is_edge else kept[real]):
-        return TWINS
-    before = vertices[faces[~vanish][real]]
-    moves = (kept[real] == a)[..., None]
-    return FLIP if flips(before, np.where(moves, position, before)) else 0
+    raise NotImplementedError("exercise 12.10: why_refused")
 
 
-def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 points)
-    """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
+def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.12 (3 points)
+    """Down to face_count faces, collapse the cheapest of `mesh.edges` with `why_refused` 0, if any.
 
-    `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
-    quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
-    See `demo simplified`.
+    vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces. The lower
+    vertex gets the place and the summed quadrics. See `demo simplified`.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)
     >>> [len(simplify_loop(vertices, faces, q, n)[1]) for n in (20, 13, 0)]
     [20, 12, 4]
-
-    Fine print. The first of equally cheap edges is collapsed.
     """
-    raise NotImplementedError("exercise 12.15: simplify_loop")
+    raise NotImplementedError("exercise 12.12: simplify_loop")

@@ -144,7 +144,7 @@ def join(*entries):
     return tuple(np.concatenate(part) for part in zip(*entries, strict=True))
 
 
-def pull_entries(rows, columns, u):  # extra 11.6 (2 points)
+def pull_entries(rows, columns, u):
     """The entries of pulls: each adds u (x_column - x_row) to the new point of its row.
 
     rows, columns, u (N,) -> rows, columns, weights, in any order. Entries of one place add up.
@@ -158,7 +158,7 @@ def pull_entries(rows, columns, u):  # extra 11.6 (2 points)
             np.concatenate([u, -u]))
 
 
-def vertex_rows(edges, is_boundary, u, w):  # extra 11.7 (4 points)
+def vertex_rows(edges, is_boundary, u, w):  # step 11.4
     """Eq. (3) for all old vertices: the entries (rows, columns, weights) of V rows and V columns.
 
     edges (E, 2), is_boundary (E,) bool, u (V,), w a number. A vertex at the end of boundary edges
@@ -172,14 +172,7 @@ def vertex_rows(edges, is_boundary, u, w):  # extra 11.7 (4 points)
            [0.   , 0.5  , 0.5  , 0.   ],
            [0.   , 0.   , 0.   , 1.   ]])
     """
-    every = np.arange(len(u))
-    start, end = np.concatenate([edges, edges[:, ::-1]]).T  # each edge, from either end
-    along = np.concatenate([is_boundary, is_boundary])
-    at_boundary = np.isin(every, edges[is_boundary])
-    pulled = along | ~at_boundary[start]
-    strength = np.where(along, w, u[start])[pulled]
-    return join((every, every, np.ones(len(u))),  # 1 on the diagonal
-                pull_entries(start[pulled], end[pulled], strength))
+    raise NotImplementedError("exercise 11.4: vertex_rows")
 
 
 # Which meshes are accepted

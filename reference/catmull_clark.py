@@ -19,6 +19,7 @@ import scipy.sparse
 from .subdivision import (
     as_matrix,
     as_polygons,
+    edges_of,
     face_of_corner,
     faces_at_edges,
     join,
@@ -32,23 +33,41 @@ from .subdivision import (
     vertex_rows,
 )
 
+# The new faces
+
+
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # step 11.6
+    """Each polygon as quads, one for each of its corners: (C, 4), in the order of `corners`.
+
+    With V = vertex_count, edge e has the new vertex V + e, face f has V + E + f. A corner's quad is
+    itself, the vertices on its edge ahead, in the face, on its edge behind. corner_edge (C,).
+
+    >>> catmull_clark_faces(np.array([0, 1, 2]), np.array([3]), np.array([0, 2, 1]), 3)
+    array([[0, 3, 6, 4],
+           [1, 5, 6, 3],
+           [2, 4, 6, 5]])
+    """
+    ahead = vertex_count + corner_edge
+    behind = np.empty_like(ahead)
+    behind[next_corner(counts)] = ahead
+    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
+    return np.stack([corners, ahead, middle, behind], axis=1)
+
+
 # Point by point: slow and obvious
 
 
-def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (4 points)
-    """Eqs. (7) to (9), point by point: old vertices, edges of `faces_at_edges`, then `polygons`.
+def catmull_clark_slow(vertices, corners, counts):  # exercise 11.7 (3 points)
+    """A whole step, point by point: eqs. (7) to (9), then `catmull_clark_faces`.
 
-    vertices (V, C), corners, counts -> (V + E + F, C). `ring_of` tells who is near.
+    vertices (V, C), corners, counts -> vertices (V + E + F, C): the old ones, the edges in the
+    order of `faces_at_edges`, which is that of `edges_of`, then one for each of `polygons`; and the
+    quads. `ring_of` tells who is near. See `python3 -m course demo --impl labs house`.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
-    >>> catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))[[0, 1, 4, 8]]
-    array([[1., 1.],
-           [7., 1.],
-           [4., 0.],
-           [4., 4.]])
-    >>> tetrahedron = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
-    >>> catmull_clark_slow(np.array([[9.0], [0.0], [0.0], [0.0]]), *tetrahedron)[[0, 4, 7, 10]].T
-    array([[4.  , 3.75, 0.75, 3.  ]])
+    >>> vertices, quads = catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))
+    >>> vertices[[0, 1, 4, 8]].tolist(), quads[0]
+    ([[1.0, 1.0], [7.0, 1.0], [4.0, 0.0], [4.0, 4.0]], array([0, 4, 8, 5]))
 
     Fine print. A vertex of no face stays: eq. (9) would divide by 0.
     """
@@ -70,7 +89,9 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (4 points)
         ends = vertices[list(edge)].sum(0)
         points.append(ends / 2 if len(its_faces) == 1 else
                       (ends + face_points[its_faces].sum(0)) / 4)
-    return np.concatenate([points, face_points])
+    _, corner_edge = edges_of(corners, counts)
+    quads = catmull_clark_faces(corners, counts, corner_edge, len(vertices))
+    return np.concatenate([points, face_points]), quads
 
 
 # The same as one matrix. P adds the face points to the old vertices. From these V + F points, T
@@ -88,68 +109,35 @@ def face_rows(corners, counts):
     return face, corners, (1 / counts)[face]
 
 
-def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # extra 11.11 (2 points)
-    """Eq. (8) for all edges: the entries (rows, columns, weights) of E rows and V + F columns.
+def catmull_clark_rows(edges, corners, counts, corner_edge, n):  # extra 11.8 (5 points)
+    """Eqs. (9) and (8) as one matrix T: the entries of V + E rows and V + F columns.
 
-    Column v is the old vertex v. Column vertex_count + f is the face point of f. edges (E, 2),
-    corner_edge (C,) of `edges_of`, counts (F,). Entries as in `loop_edge_rows`.
+    Column v is the old vertex v. Column V + f is the face point of f. edges (E, 2), corners (C,),
+    counts (F,), corner_edge (C,), n (V,): the valences. Write (9) as pulls at v. A vertex at the
+    end of a boundary edge is on the boundary, one of valence 0 stays: `vertex_rows` takes care of
+    both.
 
-    >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
-    >>> corner_edge, counts = np.array([0, 2, 1, 2, 3, 4]), np.array([3, 3])
-    >>> entries = catmull_clark_edge_rows(edges, corner_edge, counts, 4)
-    >>> as_matrix(entries, (5, 6)).toarray()[1:3]
-    array([[0.5 , 0.  , 0.5 , 0.  , 0.  , 0.  ],
-           [0.  , 0.25, 0.25, 0.  , 0.25, 0.25]])
-    """
-    is_boundary = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    end_weight = np.where(is_boundary, 1 / 2, 1 / 4)
-    inside = ~is_boundary[corner_edge]
-    face_point = vertex_count + face_of_corner(counts)
-    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 4)))
-
-
-def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # extra 11.12 (4 points)
-    """Eq. (9) for all old vertices: the entries (rows, columns, weights) of V rows, V + F columns.
-
-    Columns as in `catmull_clark_edge_rows`. edges (E, 2), is_boundary (E,), n (V,): the valences.
-    Write (9) as pulls at v. A vertex at the end of a boundary edge is on the boundary, one of
-    valence 0 stays: `vertex_rows` takes care of both.
-
-    >>> edges = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])  # a tetrahedron
     >>> corners, counts = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
-    >>> n, is_boundary = np.full(4, 3), np.zeros(6, bool)
-    >>> entries = catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n)
-    >>> (9 * as_matrix(entries, (4, 8)).toarray()).round(9)[:2]
-    array([[3., 1., 1., 1., 1., 1., 1., 0.],
-           [1., 3., 1., 1., 1., 0., 1., 1.]])
+    >>> edges, corner_edge = edges_of(corners, counts)  # a tetrahedron's
+    >>> entries = catmull_clark_rows(edges, corners, counts, corner_edge, np.full(4, 3))
+    >>> (36 * as_matrix(entries, (10, 8)).toarray()).round(9)[[0, 1, 4]]
+    array([[12.,  4.,  4.,  4.,  4.,  4.,  4.,  0.],
+           [ 4., 12.,  4.,  4.,  4.,  0.,  4.,  4.],
+           [ 9.,  9.,  0.,  0.,  9.,  0.,  9.,  0.]])
     """
     # n (new - v) = (F - v) + 2 (R - v), and R - v is half the mean of ring - v: so each neighbour
     # and each face point pulls by 1/n^2.
-    u = 1 / np.maximum(n, 1) ** 2
-    inside = ~np.isin(corners, edges[is_boundary])
+    is_boundary = on_boundary(corner_edge)
     face_point = len(n) + face_of_corner(counts)
-    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
-                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
-
-
-def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # extra 11.13 (2 points)
-    """Each polygon as quads, one for each of its corners: (C, 4), in the order of `corners`.
-
-    With V = vertex_count, edge e has the new vertex V + e, face f has V + E + f. A corner's quad is
-    itself, the vertices on its edge ahead, in the face, on its edge behind. corner_edge (C,).
-
-    >>> catmull_clark_faces(np.array([0, 1, 2]), np.array([3]), np.array([0, 2, 1]), 3)
-    array([[0, 3, 6, 4],
-           [1, 5, 6, 3],
-           [2, 4, 6, 5]])
-    """
-    ahead = vertex_count + corner_edge
-    behind = np.empty_like(ahead)
-    behind[next_corner(counts)] = ahead
-    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
-    return np.stack([corners, ahead, middle, behind], axis=1)
+    u = 1 / np.maximum(n, 1) ** 2
+    moves = ~np.isin(corners, edges[is_boundary])
+    at_vertices = join(vertex_rows(edges, is_boundary, u, 1 / 8),
+                       pull_entries(corners[moves], face_point[moves], u[corners[moves]]))
+    row = len(n) + np.arange(len(edges))
+    end_weight = np.where(is_boundary, 1 / 2, 1 / 4)
+    inside = ~is_boundary[corner_edge]
+    return join(at_vertices, (row, edges[:, 0], end_weight), (row, edges[:, 1], end_weight),
+                (row[corner_edge[inside]], face_point[inside], np.full(inside.sum(), 1 / 4)))
 
 
 def catmull_clark_step(corners, counts, vertex_count):
@@ -158,14 +146,12 @@ def catmull_clark_step(corners, counts, vertex_count):
     corners (C,), counts (F,). ValueError: see `topology`.
     """
     corners, counts = as_polygons(corners, counts)
-    edges, corner_edge, is_boundary = topology(corners, counts, vertex_count)
-    n = valences(edges, vertex_count)
+    edges, corner_edge, _ = topology(corners, counts, vertex_count)
     face_points = as_matrix(face_rows(corners, counts), (len(counts), vertex_count))
     P = scipy.sparse.vstack([scipy.sparse.eye_array(vertex_count), face_points], "csr")
-    at_vertices = catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n)
-    on_edges = catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count)
-    T = scipy.sparse.vstack([as_matrix(at_vertices, (vertex_count, P.shape[0])),
-                             as_matrix(on_edges, (len(edges), P.shape[0]))], "csr")
+    entries = catmull_clark_rows(edges, corners, counts, corner_edge,
+                                 valences(edges, vertex_count))
+    T = as_matrix(entries, (vertex_count + len(edges), P.shape[0]))
     S = scipy.sparse.vstack([T @ P, face_points], "csr")
     return S, catmull_clark_faces(corners, counts, corner_edge, vertex_count)
 
@@ -188,7 +174,7 @@ def catmull_clark(vertices, corners, counts):
 # The limit
 
 
-def catmull_clark_limit_rows(edges, is_boundary, quads, n):  # extra 11.15 (3 points)
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
     """Eq. (10) for all vertices of a mesh of quads (F, 4): entries of V rows and V columns.
 
     edges (E, 2), is_boundary (E,), n (V,): the valences. On the boundary and at valence 0,

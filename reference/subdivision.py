@@ -149,7 +149,7 @@ def join(*entries):
     return tuple(np.concatenate(part) for part in zip(*entries, strict=True))
 
 
-def pull_entries(rows, columns, u):  # extra 11.6 (2 points)
+def pull_entries(rows, columns, u):
     """The entries of pulls: each adds u (x_column - x_row) to the new point of its row.
 
     rows, columns, u (N,) -> rows, columns, weights, in any order. Entries of one place add up.
@@ -163,7 +163,7 @@ def pull_entries(rows, columns, u):  # extra 11.6 (2 points)
             np.concatenate([u, -u]))
 
 
-def vertex_rows(edges, is_boundary, u, w):  # extra 11.7 (4 points)
+def vertex_rows(edges, is_boundary, u, w):  # step 11.4
     """Eq. (3) for all old vertices: the entries (rows, columns, weights) of V rows and V columns.
 
     edges (E, 2), is_boundary (E,) bool, u (V,), w a number. A vertex at the end of boundary edges

@@ -17,12 +17,12 @@ from . import own
 
 SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "floor", "fit_vertices", "borders",
           "fit_triangle", "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "cubes",
-          "fit_outlines", "rounded", "simplified", "smoothed", "relaxation", "large_steps",
-          "shadow", "light_from_shadow", "still_life", "representations", "hole", "fit_volume",
-          "reconstruct", "paint_and_light",
+          "fit_outlines", "rounded", "house", "cage", "simplified", "smoothed", "relaxation",
+          "large_steps", "shadow", "light_from_shadow", "still_life", "representations", "hole",
+          "fit_volume", "reconstruct", "paint_and_light",
           "tiles")  # in the order of the labs
 FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
-         "rounded": "levels", "simplified": "levels",
+         "rounded": "levels", "house": "levels", "cage": "levels", "simplified": "levels",
          "smoothed": "relaxation", "light_from_shadow": "shadow"}  # others have their name
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
         "still_life", "fit_volume", "reconstruct", "paint_and_light")

@@ -7,7 +7,17 @@ import warnings
 import numpy as np
 import pytest
 from what_draws import shown, surfaces
-from what_late_labs_draw import lab_3, lab_4, lab_10, lab_15, lab_16, lab_17, shadows
+from what_late_labs_draw import (
+    lab_3,
+    lab_4,
+    lab_10,
+    lab_11,
+    lab_12,
+    lab_15,
+    lab_16,
+    lab_17,
+    shadows,
+)
 
 from course.given import compiled, faster
 from course.given.whose import Labs
@@ -21,6 +31,8 @@ DRAWING = {shown: ("transforms", "rasterization", "interpolation", "texturing", 
            lab_3: ("sampling",), lab_4: ("msaa",),
            lab_10: ("neural_renderer", "sweep_gradient"),
            surfaces: ("regularization", "remeshing"),
+           lab_11: ("subdivision", "loop_subdivision", "catmull_clark"),
+           lab_12: ("simplification", "collapse_heap"),
            shadows: ("shadow_mapping", "soft_shadows", "variance_shadows"),
            lab_15: ("implicit_surfaces", "marching_tetrahedra"),
            lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}

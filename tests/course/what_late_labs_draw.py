@@ -1,4 +1,4 @@
-"""Small runs of the scenes of labs 3, 4, 10 and 14 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4, 10 to 12 and 14 to 17: what a mistake must show in."""
 import numpy as np
 
 from course.given import mesh, ray_casting
@@ -8,6 +8,7 @@ from course.scenes import (
     drawing,
     fit_volume,
     hole,
+    levels,
     msaa,
     portrait,
     reconstruct,
@@ -61,6 +62,29 @@ def lab_10(labs):
     ball = cubes.striped(labs, *cubes.small_ball())
     yield "the ball", cubes.picture(labs, ball, 24)
     yield "its way", np.array(cubes.fit(labs, ball, 24, 3))
+
+
+def lab_11(labs):
+    """A sheet and a ring made round, a house, and a cage through the vertices of a sheet."""
+    sheet, ring = mesh.plane(8), mesh.torus(36)
+    for name, shape in ("sheet", sheet), ("ring", ring):
+        yield from zip((f"a rounded {name}", f"its faces, {name}"),
+                       levels.loop_step(labs, *shape), strict=True)
+    for step, house in enumerate(levels.houses(labs, 2)):
+        yield f"the house after {step} steps", np.concatenate([np.ravel(part) for part in house])
+    *_, (points, surface, _) = levels.pulled(labs, *sheet, 1, 2)
+    yield "a cage and its surface", np.concatenate([points, surface])
+
+
+def lab_12(labs):
+    """A bumpy ball and a wavy sheet, in ever fewer faces."""
+    sheet, squares = mesh.grid(72)
+    ball, faces = mesh.icosphere(180)
+    for name, shape in (("ball", (ball * (1 + 0.2 * np.sin(5 * ball[:, [1, 2, 0]])), faces)),
+                        ("sheet", (sheet + 0.5 * np.sin(sheet[:, [2, 2, 0]]), squares))):
+        for step, (vertices, left) in enumerate(levels.fewer(labs, *shape, 60)):
+            yield f"the {name}'s faces, {step}", left
+            yield f"the {name}'s vertices, {step}", vertices[np.unique(left)]
 
 
 def lab_15(labs):

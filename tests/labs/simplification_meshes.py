@@ -31,15 +31,15 @@ def error(q, x):
     return sum(v[i] * q[i, j] * v[j] for i in range(4) for j in range(4))
 
 
-def quadrics_of(vertices, faces):
-    """Eq. (3), face by face."""
+def quadrics_of(vertices, faces, weight=lambda a, b, c: 1):
+    """Eq. (3), face by face, with a weight for each."""
     q = np.zeros((len(vertices), 4, 4))
     for face in faces:
         a, b, c = vertices[face]
         n = np.cross(b - a, c - a)
         n = n / np.linalg.norm(n)
         for vertex in face:
-            q[vertex] += outer(np.append(n, -n @ a))
+            q[vertex] += weight(a, b, c) * outer(np.append(n, -n @ a))
     return q
 
 
@@ -80,24 +80,33 @@ def place_and_cost(q, a, b):
 
 
 def is_allowed(vertices, faces, a, b, x):
-    """Of a closed surface: is a proper edge, makes no face twice, and flips none."""
+    return reason_of(vertices, faces, a, b, x) == 0
+
+
+def reason_of(vertices, faces, a, b, x):
+    """Of a closed surface, whose faces to vertex V have no place: 1 is no proper edge, 2 makes a
+    face twice, 3 flips one, 0 does nothing of these.
+    """
     faces = [face for face in faces if a in face or b in face]
     both = [face for face in faces if a in face and b in face]
     others = [face for face in faces if face not in both]
     shared = ({v for face in faces if a in face for v in face}
               & {v for face in faces if b in face for v in face}) - {a, b}
+    if shared != {v for face in both for v in face} - {a, b}:
+        return 1
     renamed = [{a if v == b else v for v in face} for face in others]
-    if shared != {v for face in both for v in face} - {a, b} \
-            or any(renamed.count(face) > 1 for face in renamed):
-        return False
+    if any(renamed.count(face) > 1 for face in renamed):
+        return 2
     for face in others:
+        if max(face) == len(vertices):
+            continue
         p, q, r = vertices[face]
         p1, q1, r1 = (x if v in (a, b) else vertices[v] for v in face)
         n, n1 = normal_of(p, q, r), normal_of(p1, q1, r1)
         if n @ n1 < LEAST_COSINE * np.linalg.norm(n) * np.linalg.norm(n1) \
                 or shape(p1, q1, r1) < LEAST_SHAPE * shape(p, q, r):
-            return False
-    return True
+            return 3
+    return 0
 
 
 def greedy(vertices, faces, face_counts):

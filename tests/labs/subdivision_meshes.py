@@ -85,6 +85,13 @@ def dense(entries, shape):
     return matrix
 
 
+def both(answer):
+    """The vertices and the faces that a whole step returns."""
+    if not isinstance(answer, tuple) or len(answer) != 2:
+        raise Mismatch(("wrong", "a step returns two things: the vertices, and the new faces"))
+    return answer
+
+
 def require_inside(rows, columns, shape):
     """Mismatch where an entry lies outside of the matrix."""
     height, width = shape

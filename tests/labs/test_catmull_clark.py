@@ -26,195 +26,9 @@ def catmull_clark_of(count, faces):
     return np.concatenate([rows, points])
 
 
-# --- point by point ------------------------------------------------------------------------------
+# --- faces ---------------------------------------------------------------------------------------
 
-HOUSE = (np.array([[0.0, 0.0], [16.0, 0.0], [16.0, 32.0], [0.0, 32.0], [32.0, 56.0]]),  # a square
-         np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4]))  # and a triangle, with the edge 2 3
-HOUSE_EDGES = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
-PYRAMID = meshes.POLYGONS["pyramid"][1]
-
-
-@exercise("11.10")
-def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
-    """A face point is the sum of the corners over 4, also for a triangle, or is made of moved
-    vertices. Face points come before the edge points, or are left out; they must come last."""
-    assert_close(impl.catmull_clark_slow(*HOUSE)[11:], [[16, 40], [8, 16.0]])
-
-
-@exercise("11.10")
-def test_boundary_vertices_of_a_house_on_paper(impl):
-    """A vertex on the boundary stays, or the inside's rule with F and R is used there. Its whole
-    ring pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8.
-    Vertices already moved pull."""
-    got = impl.catmull_clark_slow(*HOUSE)
-    assert_close(got[:5], [[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]])
-
-
-@exercise("11.10")
-def test_edge_points_of_a_house_on_paper(impl):
-    """A boundary edge is drawn to its one face: (A + B + f) / 3, or / 4. An inner edge gets its
-    middle, lacks its ends or a face point, or has Loop's weights. Points are made of moved
-    vertices, or come in another order."""
-    got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
-    assert_close(got[5:11], [[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]])
-
-
-@exercise("11.10")
-def test_vertices_of_a_pyramid_on_paper(impl):
-    """R counts once, or is the mean of the ring, or of the new edge points, not of the edges'
-    middles. F is a sum, or of all faces. n is always 4, not the valence. n - 3, the division by n,
-    or its brackets are wrong."""
-    vertices = np.array([[36.0], [72.0], [108.0], [216.0], [180.0]])
-    got = impl.catmull_clark_slow(vertices, *meshes.flat(PYRAMID))
-    assert_close(got[:5].T, np.array([[243, 284, 328, 460, 416]]) / 3)
-
-
-@exercise("11.10")
-def test_a_square_alone_on_paper(impl):
-    """A corner stays, or the boundary is pulled inwards. The face point is left out."""
-    got = impl.catmull_clark_slow(np.array([[0.0, 0], [8, 0], [8, 16], [0, 16]]),
-                                  np.array([0, 1, 2, 3]), np.array([4]))
-    assert_close(got, [[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16], [4, 8.0]])
-
-
-@exercise("11.10")
-def test_a_cube_on_paper(impl):
-    """R is the mean of the ring, or of the new edge points, not of the edges' middles. A face point
-    is wrong, or comes in another place."""
-    got = impl.catmull_clark_slow(meshes.CUBE_VERTICES, *meshes.flat(meshes.CUBE))
-    assert_close(got[:8], 5 / 9 * meshes.CUBE_VERTICES)
-    assert_close(got[[8, 19]], np.array([[-3, -3, 0], [3, 3, 0]]) / 4)
-    assert_close(got[20:], [[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]])
-
-
-@exercise("11.10")
-def test_two_triangles_back_to_back_on_paper(impl):
-    """At valence 2, n - 3 is -1: v has another weight there. Two faces with the same corners count
-    as one."""
-    got = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]), np.array([0, 1, 2, 2, 1, 0]),
-                                  np.array([3, 3]))
-    assert_close(got.T, [[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]])
-
-
-@exercise("11.10")
-@meshes.each_polygon_mesh
-def test_point_by_point_is_the_matrix(impl, rng, count, faces):
-    """F is taken over faces that do not meet at the vertex. Points come in another order."""
-    del count
-    corners, counts = meshes.flat(faces)
-    used, corners = np.unique(corners, return_inverse=True)
-    faces = [face.tolist() for face in np.split(corners, np.cumsum(counts)[:-1])]
-    vertices = rng.normal(size=(len(used), 2))
-    got = impl.catmull_clark_slow(vertices, corners, counts)
-    assert_close(got, catmull_clark_of(len(used), faces) @ vertices)
-
-
-@exercise("11.10", fine_print=True)
-@meshes.each_polygon_mesh
-def test_an_isolated_vertex_stays(impl, rng, count, faces):
-    """An isolated vertex is divided by its valence 0 and becomes nan. Or it vanishes, and all
-    numbers behind it are wrong."""
-    vertices = rng.normal(size=(count, 2))
-    got = impl.catmull_clark_slow(vertices, *meshes.flat(faces))
-    assert_close(got, catmull_clark_of(count, faces) @ vertices)
-
-
-@exercise("11.10")
-@pytest.mark.parametrize("name", ["pyramid", "square"])
-def test_the_published_polygons_of_opensubdiv(impl, name):
-    """Not the scheme that everybody means: triangles and a quad, and a boundary with corners."""
-    *given, expected = meshes.published(name, "vertices", "corners", "counts", "step_1")
-    assert_close(meshes.farthest(impl.catmull_clark_slow(*given), expected), 0.0, atol=1e-6)
-
-
-# --- the matrix ----------------------------------------------------------------------------------
-
-@exercise("11.11")
-def test_the_inner_edge_of_a_house_on_paper(impl):
-    """The face points' columns begin at 0, not at vertex_count. A face point is left out, or counts
-    for one of the two faces only. The weights are Loop's, 3/8 and 1/8, or the face points have 1/2.
-    Rows and columns are exchanged."""
-    entries = impl.catmull_clark_edge_rows(HOUSE_EDGES, np.array([3, 4, 5, 0, 2, 3, 1]),
-                                           HOUSE[2], 6)
-    assert_close(meshes.dense(entries, (6, 8))[3], np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4)
-
-
-@exercise("11.11")
-def test_edges_between_two_triangles_on_paper(impl):
-    """On the boundary, the ends have the inside's 1/4, not 1/2. Or the face point pulls there, too,
-    so that the row sums to 5/4."""
-    edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
-    entries = impl.catmull_clark_edge_rows(edges, np.array([3, 0, 1, 3, 4, 2]), np.array([3, 3]), 5)
-    expected = np.zeros((5, 7))
-    for k in 0, 1, 2, 4:
-        expected[k, edges[k]] = 1 / 2
-    expected[3, [1, 3, 5, 6]] = 1 / 4
-    assert_close(meshes.dense(entries, (5, 7)), expected)
-
-
-@exercise("11.11")
-@meshes.each_polygon_mesh
-def test_points_on_edges_row_by_row(impl, rng, count, faces):
-    """A corner gets the face point of another face where faces differ in size: the face's number is
-    not the corner's over 3 or 4."""
-    faces = meshes.renumbered(rng, count, faces)
-    edges, corner_edge, _ = meshes.topology(faces)
-    entries = impl.catmull_clark_edge_rows(edges, corner_edge, meshes.flat(faces)[1], count)
-    expected = np.zeros((len(edges), count + len(faces)))
-    for row, edge in zip(expected, edges, strict=True):
-        near = [count + f for f, face in enumerate(faces) if tuple(edge) in meshes.sides(face)]
-        row[[*edge, *near] if len(near) == 2 else edge] = 1 / 4 if len(near) == 2 else 1 / 2
-    assert_close(meshes.dense(entries, expected.shape), expected)
-
-
-@exercise("11.12")
-def test_a_pyramid_on_paper(impl):
-    """The pull is 1 / n, not 1 / n^2. A neighbour pulls by 2 / n^2, as if R were the ring's mean.
-    Face points are left out, are those of other faces, or stand in the columns from 0 on. v keeps
-    another weight."""
-    edges, _, is_boundary = meshes.topology(PYRAMID)
-    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *meshes.flat(PYRAMID),
-                                             np.array([4, 3, 3, 3, 3]))
-    expected = np.array([[72, 9, 9, 9, 9, 9, 9, 9, 9, 0],
-                         [16, 48, 16, 0, 16, 16, 0, 0, 16, 16],
-                         [16, 16, 48, 16, 0, 16, 16, 0, 0, 16],
-                         [16, 0, 16, 48, 16, 0, 16, 16, 0, 16],
-                         [16, 16, 0, 16, 48, 0, 0, 16, 16, 16]]) / 144
-    assert_close(meshes.dense(entries, (5, 10)), expected)
-
-
-@exercise("11.12")
-def test_boundary_vertices_and_one_of_no_face_on_paper(impl):
-    """Face points pull at boundary vertices as well. The boundary has another w than 1/8. A vertex
-    of no face is divided by its valence 0, or does not stay."""
-    entries = impl.catmull_clark_vertex_rows(HOUSE_EDGES, np.arange(6) != 3, *HOUSE[1:],
-                                             np.array([2, 2, 3, 3, 2, 0]))
-    expected = np.array([[6, 1, 0, 1, 0, 0, 0, 0], [1, 6, 1, 0, 0, 0, 0, 0],
-                         [0, 1, 6, 0, 1, 0, 0, 0], [1, 0, 0, 6, 1, 0, 0, 0],
-                         [0, 0, 1, 1, 6, 0, 0, 0], [0, 0, 0, 0, 0, 8, 0, 0]]) / 8
-    assert_close(meshes.dense(entries, (6, 8)), expected)
-
-
-@exercise("11.12")
-@meshes.each_polygon_mesh
-def test_moved_vertices_row_by_row(impl, rng, count, faces):
-    """Face points pull at boundary vertices as well. The strength is that of another vertex. A
-    vertex is pulled by faces that do not meet there."""
-    faces = meshes.renumbered(rng, count, faces)
-    edges, _, is_boundary = meshes.topology(faces)
-    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *meshes.flat(faces),
-                                             meshes.valence_of(count, edges))
-    old = meshes.old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8)
-    expected = np.hstack([old, np.zeros((count, len(faces)))])
-    for v in set(edges.ravel()) - set(edges[is_boundary].ravel()):
-        ring, around = meshes.neighbours(v, edges), [f for f in range(len(faces)) if v in faces[f]]
-        n = len(ring)
-        expected[v, v] = (n - 2) / n  # n - 3, and 1 more in 2 R
-        expected[v, ring + [count + f for f in around]] = 1 / n**2
-    assert_close(meshes.dense(entries, expected.shape), expected)
-
-
-@exercise("11.13")
+@exercise("11.6")
 def test_a_triangle_and_a_square_become_seven_quads(impl):
     """A face's vertex is numbered from V, or V + the number of corners: two faces share an edge.
     The edge behind is that of the previous entry, across faces (np.roll). A quad is wound the other
@@ -226,7 +40,7 @@ def test_a_triangle_and_a_square_become_seven_quads(impl):
         [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]])
 
 
-@exercise("11.13")
+@exercise("11.6")
 @meshes.each_polygon_mesh
 def test_quads_fill_their_polygon(impl, rng, count, faces):
     """Points on the middles: the quads of a polygon have its area vector in sum."""
@@ -244,61 +58,158 @@ def test_quads_fill_their_polygon(impl, rng, count, faces):
     assert_close(np.add.reduceat(vector, first), np.array(expected), atol=1e-9)
 
 
-# --- the limit -----------------------------------------------------------------------------------
+# --- point by point ------------------------------------------------------------------------------
 
-@exercise("11.15")
-def test_the_limit_of_a_cube_on_paper(impl):
-    """The ring's 4 is missing. A neighbour is taken for the end of the diagonal, or diagonals are
-    left out. The factor 1 / (n (n + 5)) is wrong, as 1 / n^2, 1 / (n + 5)."""
-    quads = np.array(meshes.CUBE)
-    edges = meshes.topology(quads)[0]
-    entries = impl.catmull_clark_limit_rows(edges, np.zeros(12, bool), quads, np.full(8, 3))
-    got = meshes.dense(entries, (8, 8))
-    assert_close(24 * got[0], [9.0, 4, 4, 1, 4, 1, 1, 0])
-    assert_close(24 * got[6], [1.0, 0, 4, 1, 4, 1, 9, 4])
+HOUSE = (np.array([[0.0, 0.0], [16.0, 0.0], [16.0, 32.0], [0.0, 32.0], [32.0, 56.0]]),  # a square
+         np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4]))  # and a triangle, with the edge 2 3
+HOUSE_EDGES = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
+PYRAMID = meshes.POLYGONS["pyramid"][1]
 
 
-@exercise("11.15")
-def test_limits_on_a_boundary(impl):
-    """The boundary has a step's 1/8, not the limit's 1/6. Diagonals pull at boundary vertices as
-    well. A vertex of valence 0 does not stay."""
-    quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
-    edges, _, is_boundary = meshes.topology(quads)
-    n = np.append(meshes.valence_of(9, edges), 0)
-    got = meshes.dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (10, 10))
-    expected = np.eye(10)
-    rim = [0, 1, 2, 5, 8, 7, 6, 3]
-    for before, v, after in zip(rim[-1:] + rim, rim, rim[1:] + rim[:1], strict=False):
-        expected[v, [before, v, after]] = 1 / 6, 4 / 6, 1 / 6
-    expected[4, :9] = np.outer([1, 4, 1], [1, 4, 1]).ravel() / 36
-    assert_close(got, expected)
+@exercise("11.7")
+def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
+    """A face point is the sum of the corners over 4, also for a triangle, or is made of moved
+    vertices. Face points come before the edge points, or are left out; they must come last."""
+    assert_close(meshes.both(impl.catmull_clark_slow(*HOUSE))[0][11:], [[16, 40], [8, 16.0]])
 
 
-@exercise("11.15")
-def test_the_inner_corner_of_an_l_is_on_the_boundary(impl):
-    """A boundary vertex is told by its valence; here one has 4 neighbours, and three quads."""
-    quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6]])
-    edges, _, is_boundary = meshes.topology(quads)
-    n = meshes.valence_of(8, edges)
-    got = meshes.dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (8, 8))
-    assert_close(6 * got[4], [0.0, 0, 0, 0, 4, 1, 0, 1])
-    assert_close(6 * got[1], [1.0, 4, 1, 0, 0, 0, 0, 0])
+@exercise("11.7")
+def test_boundary_vertices_of_a_house_on_paper(impl):
+    """A vertex on the boundary stays, or the inside's rule with F and R is used there. Its whole
+    ring pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8.
+    Vertices already moved pull."""
+    got, _ = impl.catmull_clark_slow(*HOUSE)
+    assert_close(got[:5], [[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]])
 
 
-@exercise("11.15")
-def test_many_steps_of_quads_lead_to_the_limit(impl, rng):
-    """Not the fixed point of (8) and (9): valences 3, 4, 5 and 8."""
-    for n in 3, 4, 5, 8:
-        # n quads around vertex 0, the ring 1 to n, diagonals n + 1 to 2 n; one step of their means.
-        k, number, valence = np.arange(n), rng.permutation(2 * n + 1), np.full(2 * n + 1, 2)
-        quads = number[np.stack([0 * k, 1 + k, 1 + n + k, 1 + (k + 1) % n], axis=1)]
-        edges = np.sort(number[np.stack([0 * k, 1 + k], axis=1)])
-        valence[number[0]] = n
-        got = meshes.dense(impl.catmull_clark_limit_rows(edges, np.zeros(n, bool), quads, valence),
-                    (2 * n + 1,) * 2)[number[0], number]
-        # Means of vertex, ring and diagonals: F = (v + 2 r + d) / 4 is the new mean of diagonals.
-        face = np.array([1, 2, 1]) / 4
-        ring = (np.array([1, 1, 0]) + 2 * face) / 4
-        own = (face + np.array([1, 1, 0]) + np.array([n - 3, 0, 0])) / n
-        limit = np.linalg.matrix_power(np.array([own, ring, face]), 400)[0]
-        assert_close(np.array([got[0], got[1:n + 1].sum(), got[n + 1:].sum()]), limit)
+@exercise("11.7")
+def test_edge_points_of_a_house_on_paper(impl):
+    """A boundary edge is drawn to its one face: (A + B + f) / 3, or / 4. An inner edge gets its
+    middle, lacks its ends or a face point, or has Loop's weights. Points are made of moved
+    vertices, or come in another order."""
+    got, _ = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
+    assert_close(got[5:11], [[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]])
+
+
+@exercise("11.7")
+def test_the_new_faces_of_a_house(impl):
+    """The old faces come back. A vertex on an edge, or in a face, has the number of another one."""
+    assert_equal(impl.catmull_clark_slow(*HOUSE)[1],
+                 [[3, 8, 11, 10], [2, 9, 11, 8], [4, 10, 11, 9],
+                  [0, 5, 12, 6], [1, 7, 12, 5], [2, 8, 12, 7], [3, 6, 12, 8]])
+
+
+@exercise("11.7")
+def test_vertices_of_a_pyramid_on_paper(impl):
+    """R counts once, or is the mean of the ring, or of the new edge points, not of the edges'
+    middles. F is a sum, or of all faces. n is always 4, not the valence. n - 3, the division by n,
+    or its brackets are wrong."""
+    vertices = np.array([[36.0], [72.0], [108.0], [216.0], [180.0]])
+    got, _ = impl.catmull_clark_slow(vertices, *meshes.flat(PYRAMID))
+    assert_close(got[:5].T, np.array([[243, 284, 328, 460, 416]]) / 3)
+
+
+@exercise("11.7")
+def test_two_triangles_back_to_back_on_paper(impl):
+    """At valence 2, n - 3 is -1: v has another weight there. Two faces with the same corners count
+    as one."""
+    got, _ = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]),
+                                     np.array([0, 1, 2, 2, 1, 0]), np.array([3, 3]))
+    assert_close(got.T, [[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]])
+
+
+@exercise("11.7")
+@meshes.each_polygon_mesh
+def test_point_by_point_is_the_matrix(impl, rng, count, faces):
+    """F is taken over faces that do not meet at the vertex. Points come in another order."""
+    del count
+    corners, counts = meshes.flat(faces)
+    used, corners = np.unique(corners, return_inverse=True)
+    faces = [face.tolist() for face in np.split(corners, np.cumsum(counts)[:-1])]
+    vertices = rng.normal(size=(len(used), 2))
+    got, _ = impl.catmull_clark_slow(vertices, corners, counts)
+    assert_close(got, catmull_clark_of(len(used), faces) @ vertices)
+
+
+@exercise("11.7", fine_print=True)
+@meshes.each_polygon_mesh
+def test_an_isolated_vertex_stays(impl, rng, count, faces):
+    """An isolated vertex is divided by its valence 0 and becomes nan. Or it vanishes, and all
+    numbers behind it are wrong."""
+    vertices = rng.normal(size=(count, 2))
+    got, _ = impl.catmull_clark_slow(vertices, *meshes.flat(faces))
+    assert_close(got, catmull_clark_of(count, faces) @ vertices)
+
+
+@exercise("11.7")
+@pytest.mark.parametrize("name", ["pyramid", "square"])
+def test_the_published_polygons_of_opensubdiv(impl, name):
+    """Not the scheme that everybody means: triangles and a quad, and a boundary with corners."""
+    *given, expected = meshes.published(name, "vertices", "corners", "counts", "step_1")
+    assert_close(meshes.farthest(impl.catmull_clark_slow(*given)[0], expected), 0.0, atol=1e-6)
+
+
+# --- the matrix ----------------------------------------------------------------------------------
+
+@exercise("11.8")
+def test_the_inner_edge_of_a_house_on_paper(impl):
+    """The face points' columns begin at 0, not at V. A face point is left out, or counts for one of
+    the two faces only. The weights are Loop's, 3/8 and 1/8, or the face points have 1/2. Rows and
+    columns are exchanged."""
+    assert_close(rows_of_a_house(impl)[9], np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4)
+
+
+def rows_of_a_house(impl):
+    entries = impl.catmull_clark_rows(HOUSE_EDGES, *HOUSE[1:], np.array([3, 4, 5, 0, 2, 3, 1]),
+                                      np.array([2, 2, 3, 3, 2, 0]))
+    return meshes.dense(entries, (12, 8))
+
+
+@exercise("11.8")
+def test_boundary_edges_of_a_house_on_paper(impl):
+    """On the boundary, the ends have the inside's 1/4, not 1/2. Or the face point pulls there, too,
+    so that the row sums to 5/4."""
+    expected = np.zeros((6, 8))
+    np.put_along_axis(expected, HOUSE_EDGES, 1 / 2, axis=1)
+    assert_close(np.delete(rows_of_a_house(impl)[6:], 3, 0), np.delete(expected, 3, 0))
+
+
+@exercise("11.8")
+def test_a_pyramid_on_paper(impl):
+    """The pull is 1 / n, not 1 / n^2. A neighbour pulls by 2 / n^2, as if R were the ring's mean.
+    Face points are left out, are those of other faces, or stand in the columns from 0 on. v keeps
+    another weight."""
+    edges, corner_edge, _ = meshes.topology(PYRAMID)
+    entries = impl.catmull_clark_rows(edges, *meshes.flat(PYRAMID), corner_edge,
+                                      np.array([4, 3, 3, 3, 3]))
+    expected = np.array([[72, 9, 9, 9, 9, 9, 9, 9, 9, 0],
+                         [16, 48, 16, 0, 16, 16, 0, 0, 16, 16],
+                         [16, 16, 48, 16, 0, 16, 16, 0, 0, 16],
+                         [16, 0, 16, 48, 16, 0, 16, 16, 0, 16],
+                         [16, 16, 0, 16, 48, 0, 0, 16, 16, 16]]) / 144
+    assert_close(meshes.dense(entries, (13, 10))[:5], expected)
+
+
+@exercise("11.8")
+def test_boundary_vertices_and_one_of_no_face_on_paper(impl):
+    """Face points pull at boundary vertices as well. The boundary has another w than 1/8. A vertex
+    of no face is divided by its valence 0, or does not stay."""
+    expected = np.array([[6, 1, 0, 1, 0, 0, 0, 0], [1, 6, 1, 0, 0, 0, 0, 0],
+                         [0, 1, 6, 0, 1, 0, 0, 0], [1, 0, 0, 6, 1, 0, 0, 0],
+                         [0, 0, 1, 1, 6, 0, 0, 0], [0, 0, 0, 0, 0, 8, 0, 0]]) / 8
+    assert_close(rows_of_a_house(impl)[:6], expected)
+
+
+@exercise("11.8")
+@meshes.each_polygon_mesh
+def test_a_step_row_by_row(impl, rng, count, faces):
+    """A corner gets the face point of another face where faces differ in size. The strength is that
+    of another vertex. A vertex is pulled by faces that do not meet there."""
+    faces = meshes.renumbered(rng, count, faces)
+    edges, corner_edge, _ = meshes.topology(faces)
+    entries = impl.catmull_clark_rows(edges, *meshes.flat(faces), corner_edge,
+                                      meshes.valence_of(count, edges))
+    T = meshes.dense(entries, (count + len(edges), count + len(faces)))
+    points = np.array([mean_of(face, count) for face in faces])
+    assert_close(T[:, :count] + T[:, count:] @ points, catmull_clark_of(count, faces)[:len(T)])
+    assert_close(T.sum(1), np.ones(len(T)))

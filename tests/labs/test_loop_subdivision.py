@@ -19,134 +19,9 @@ def loop_of(count, faces, u):
     return np.array(rows)
 
 
-# --- point by point ------------------------------------------------------------------------------
+# --- faces --------------------------------------------------------------------------------------
 
-@exercise("11.4")
-def test_loop__s_own_weights(impl):
-    """The square, the cosine's 1/4, a bracket, or the division by n is forgotten or in the wrong
-    place. The angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged.
-    It is Warren's formula."""
-    n = np.array([2, 3, 4, 6, 12])
-    total = np.array([5 / 8 - 1 / 64, 9 / 16, 5 / 8 - 9 / 64, 3 / 8,
-                      5 / 8 - (3 + np.sqrt(3)) ** 2 / 64])
-    assert_close(impl.loop_weight(n), total / n)
-    assert_close(impl.loop_weight(n[:, None]), (total / n)[:, None])
-
-
-@exercise("11.4")
-def test_a_vertex_flattens_twice_as_fast_as_its_ring_shrinks(impl, rng):
-    """Right for a few valences alone. Loop's own weights make 5/8 - n u the square of the factor by
-    which a step shrinks a wave around the ring."""
-    n = rng.integers(3, 1000, 9)
-    one, other = np.cos(2 * np.pi / n), np.cos(-2 * np.pi / n)  # the wave is 1 between these two
-    shrinks = 3 / 8 + (one + other) / 8
-    assert_close(5 / 8 - n * impl.loop_weight(n), shrinks**2)
-
-
-TWO = (np.array([[0.0, 0.0], [16.0, 8.0], [8.0, 40.0], [0.0, 16.0]]),  # two triangles in a plane,
-       np.array([[3, 1, 2], [1, 3, 0]]), np.array([3.0, 5.0, 7.0, 9.0]))  # with the edge 1 3
-
-
-@exercise("11.5")
-def test_boundary_vertices_of_two_triangles_on_paper(impl):
-    """A vertex on the boundary stays, or the inside's rule with u is used there. Its whole ring
-    pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8. Vertices
-    already moved pull. The edges' points come first."""
-    assert_close(impl.loop_slow(*TWO)[:4], [[2, 3], [13, 11], [8, 33], [1, 17.0]])
-
-
-@exercise("11.5")
-def test_edge_points_of_two_triangles_on_paper(impl):
-    """3/8 and 1/8 are exchanged. An inner edge gets its middle, or lacks an opposite corner. The
-    inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
-    moved vertices, not of the old ones. Edges come in another order."""
-    got = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
-    assert_close(got[4:], [[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]])
-
-
-@exercise("11.5")
-def test_a_tetrahedrons_vertices_on_paper(impl):
-    """u is the weight of all neighbours together (of their mean). v keeps 1 - u instead of 1 - n u.
-    The u is that of a neighbour, or it is computed from n, and the given u is not used."""
-    got = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), meshes.TETRAHEDRON,
-                         np.array([1 / 8, 1 / 16, 1 / 4, 3 / 8]))
-    assert_close(got[:4].T, [[15, 27.5, 14, 17]])
-
-
-@exercise("11.5")
-def test_a_tetrahedrons_edge_points_on_paper(impl):
-    """3/8 and 1/8 are exchanged, or a corner opposite to the edge is left out, or is one of its
-    ends."""
-    got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), meshes.TETRAHEDRON,
-                         np.array([1 / 8, 1 / 8, 1 / 4, 3 / 16]))
-    assert_close(got.T, [[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]])
-
-
-@exercise("11.5")
-def test_a_vertex_of_no_face_stays(impl):
-    """An isolated vertex becomes nan, the mean of nothing. Or it vanishes, and all numbers behind
-    it are wrong."""
-    vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
-    got = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
-    assert_close(got[0], [8.0, 3.0])
-    assert_close(got[1:4], [[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]])
-
-
-@exercise("11.5")
-@meshes.each_mesh
-def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
-    """Points come in another order. A vertex has the u of another one. A corner of another face is
-    taken for the one opposite to an edge."""
-    vertices, u = rng.normal(size=(count, 2)), rng.uniform(0.05, 0.2, count)
-    assert_close(impl.loop_slow(vertices, faces, u), loop_of(count, faces, u) @ vertices)
-
-
-@exercise("11.5")
-@pytest.mark.parametrize("name", ["cube", "saddle"])
-def test_the_published_meshes_of_opensubdiv(impl, name):
-    """Not the scheme that everybody means: Loop's own weights, and smooth boundaries."""
-    vertices, faces, expected = meshes.published(name, "vertices", "faces", "step_1")
-    n = meshes.valence_of(len(vertices), meshes.topology(faces)[0])
-    u = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
-    assert_close(meshes.farthest(impl.loop_slow(vertices, faces, u), expected), 0.0, atol=1e-6)
-
-
-# --- the matrix ----------------------------------------------------------------------------------
-
-def edge_rows_of_two_triangles(impl):
-    faces = np.array([[3, 1, 0], [1, 3, 2]])
-    edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
-    return meshes.dense(impl.loop_edge_rows(faces, edges, np.array([3, 0, 1, 3, 4, 2])), (5, 4))
-
-
-@exercise("11.8")
-def test_the_inner_edge_of_two_triangles_on_paper(impl):
-    """3/8 and 1/8, or inside and boundary, are exchanged. One of the two opposite corners is
-    overwritten or left out, or is an end of the edge (np.roll in the wrong direction). A mask of
-    edges is used for corners. Rows and columns are exchanged."""
-    assert_close(edge_rows_of_two_triangles(impl)[3], np.array([1, 3, 1, 3]) / 8)
-
-
-@exercise("11.8")
-def test_two_triangles_on_paper(impl):
-    """Boundary edges have the inside's 3/8, not 1/2. Or the opposite corner pulls at a boundary
-    edge, too, so that its row sums to 9/8."""
-    expected = np.array([[4, 4, 0, 0], [4, 0, 0, 4], [0, 4, 4, 0], [1, 3, 1, 3], [0, 0, 4, 4]]) / 8
-    assert_close(edge_rows_of_two_triangles(impl), expected)
-
-
-@exercise("11.8")
-@meshes.each_mesh
-def test_new_points_on_edges_row_by_row(impl, rng, count, faces):
-    """A boundary edge is pulled inwards. An opposite corner is taken from another face. The winding
-    of the faces is relied on."""
-    faces = meshes.renumbered(rng, count, faces)
-    edges, corner_edge, _ = meshes.topology(faces)
-    got = meshes.dense(impl.loop_edge_rows(faces, edges, corner_edge), (len(edges), count))
-    assert_close(got, loop_of(count, faces, np.zeros(count))[count:])
-
-
-@exercise("11.9")
+@exercise("11.2")
 def test_two_triangles_become_eight(impl):
     """New vertices are numbered from 0, or from the largest old vertex, not from vertex_count. A
     face's edges are not read as AB, BC, CA. Triangles come kind by kind, or the middle one is left
@@ -156,41 +31,118 @@ def test_two_triangles_become_eight(impl):
         [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]])
 
 
-@exercise("11.9")
+# --- point by point ------------------------------------------------------------------------------
+
+TWO = (np.array([[0.0, 0.0], [16.0, 8.0], [8.0, 40.0], [0.0, 16.0]]),  # two triangles in a plane,
+       np.array([[3, 1, 2], [1, 3, 0]]), np.array([3.0, 5.0, 7.0, 9.0]))  # with the edge 1 3
+
+
+@exercise("11.3")
+def test_boundary_vertices_of_two_triangles_on_paper(impl):
+    """A vertex on the boundary stays, or the inside's rule with u is used there. Its whole ring
+    pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8. Vertices
+    already moved pull. The edges' points come first."""
+    assert_close(meshes.both(impl.loop_slow(*TWO))[0][:4], [[2, 3], [13, 11], [8, 33], [1, 17.0]])
+
+
+@exercise("11.3")
+def test_edge_points_of_two_triangles_on_paper(impl):
+    """3/8 and 1/8 are exchanged. An inner edge gets its middle, or lacks an opposite corner. The
+    inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
+    moved vertices, not of the old ones. Edges come in another order."""
+    got, _ = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
+    assert_close(got[4:], [[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]])
+
+
+@exercise("11.3")
+def test_the_new_faces_of_two_triangles(impl):
+    """The old faces come back. New vertices are numbered from 0, or by the faces, not by edges."""
+    assert_equal(impl.loop_slow(*TWO)[1], [[3, 7, 8], [7, 1, 6], [8, 6, 2], [7, 6, 8],
+                                           [1, 7, 4], [7, 3, 5], [4, 5, 0], [7, 5, 4]])
+
+
+@exercise("11.3")
+def test_a_tetrahedrons_vertices_on_paper(impl):
+    """u is the weight of all neighbours together (of their mean). v keeps 1 - u instead of 1 - n u.
+    The u is that of a neighbour, or it is computed from n, and the given u is not used."""
+    got, _ = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), meshes.TETRAHEDRON,
+                            np.array([1 / 8, 1 / 16, 1 / 4, 3 / 8]))
+    assert_close(got[:4].T, [[15, 27.5, 14, 17]])
+
+
+@exercise("11.3")
+def test_a_vertex_of_no_face_stays(impl):
+    """An isolated vertex becomes nan, the mean of nothing. Or it vanishes, and all numbers behind
+    it are wrong."""
+    vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
+    got, _ = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
+    assert_close(got[0], [8.0, 3.0])
+    assert_close(got[1:4], [[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]])
+
+
+@exercise("11.3")
 @meshes.each_mesh
-def test_children_fill_their_parent(impl, rng, count, faces):
-    """Points on the middles of edges: four children have a quarter of the area vector each."""
+def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
+    """Points come in another order. A vertex has the u of another one. A corner of another face is
+    taken for the one opposite to an edge."""
+    vertices, u = rng.normal(size=(count, 2)), rng.uniform(0.05, 0.2, count)
+    got, _ = impl.loop_slow(vertices, faces, u)
+    assert_close(got, loop_of(count, faces, u) @ vertices)
+
+
+@exercise("11.3")
+@pytest.mark.parametrize("name", ["cube", "saddle"])
+def test_the_published_meshes_of_opensubdiv(impl, name):
+    """Not the scheme that everybody means: Loop's own weights, and smooth boundaries."""
+    vertices, faces, expected = meshes.published(name, "vertices", "faces", "step_1")
+    n = meshes.valence_of(len(vertices), meshes.topology(faces)[0])
+    u = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
+    assert_close(meshes.farthest(impl.loop_slow(vertices, faces, u)[0], expected), 0.0, atol=1e-6)
+
+
+# --- the matrix ----------------------------------------------------------------------------------
+
+def rows_of_two_triangles(impl):
+    faces = np.array([[3, 1, 0], [1, 3, 2]])
+    edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
+    return meshes.dense(impl.loop_rows(faces, edges, np.array([3, 0, 1, 3, 4, 2]), np.ones(4)),
+                        (9, 4))
+
+
+@exercise("11.5")
+def test_the_inner_edge_of_two_triangles_on_paper(impl):
+    """3/8 and 1/8, or inside and boundary, are exchanged. One of the two opposite corners is
+    overwritten or left out, or is an end of the edge (np.roll in the wrong direction). A mask of
+    edges is used for corners. Rows and columns are exchanged."""
+    assert_close(rows_of_two_triangles(impl)[7], np.array([1, 3, 1, 3]) / 8)
+
+
+@exercise("11.5")
+def test_the_boundary_edges_of_two_triangles_on_paper(impl):
+    """Boundary edges have the inside's 3/8, not 1/2. Or the opposite corner pulls at a boundary
+    edge, too, so that its row sums to 9/8."""
+    expected = np.array([[4, 4, 0, 0], [4, 0, 0, 4], [0, 4, 4, 0], [1, 3, 1, 3], [0, 0, 4, 4]]) / 8
+    assert_close(rows_of_two_triangles(impl)[4:], expected)
+
+
+@exercise("11.5")
+def test_the_old_vertices_of_two_triangles_on_paper(impl):
+    """Rows of old vertices are left out, stand below those of the edges, or have the limit's 1/6.
+    The edges' rows begin at 0 and are added to them."""
+    expected = np.array([[6, 1, 0, 1], [1, 6, 1, 0], [0, 1, 6, 1], [1, 0, 1, 6]]) / 8
+    assert_close(rows_of_two_triangles(impl)[:4], expected)
+
+
+@exercise("11.5")
+@meshes.each_mesh
+def test_a_step_row_by_row(impl, rng, count, faces):
+    """A boundary edge is pulled inwards. An opposite corner is taken from another face. The winding
+    of the faces is relied on. A vertex has another's u."""
     faces = meshes.renumbered(rng, count, faces)
     edges, corner_edge, _ = meshes.topology(faces)
-    old = np.stack([np.arange(count) ** 2, np.sin(np.arange(count)), np.arange(count)], 1) + 0.0
-    new = np.concatenate([old, old[edges].mean(1)])
-    children = impl.loop_faces(faces, corner_edge, count)
-    assert_equal(children.shape, (4 * len(faces), 3))
-    a, b, c = (old[faces[:, k]] for k in range(3))
-    expected = np.repeat(np.cross(b - a, c - a) / 4, 4, axis=0)
-    a, b, c = (new[children[:, k]] for k in range(3))
-    assert_close(np.cross(b - a, c - a), expected, atol=1e-9)
-
-
-# --- the limit -----------------------------------------------------------------------------------
-
-@exercise("11.14")
-def test_limit_weights_on_paper(impl):
-    """The reciprocal is forgotten, or is of n alone: brackets are missing. 3 / (8 u) is upside
-    down, multiplied by u, or by n, not added. u is not used, or m is u itself. m is multiplied by
-    n, n is left out, or a sign is wrong."""
-    n, u = np.array([6, 3, 4, 7, 2]), np.array([1 / 16, 3 / 16, 3 / 32, 1 / 8, 1 / 24])
-    assert_close(impl.limit_weight(n, u), [1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11])
-
-
-@exercise("11.14")
-def test_many_steps_lead_to_the_limit(impl, rng):
-    """m is not the fixed point: a vertex and its ring, 200 steps on."""
-    for n, u in (3, 0.1875), *((n, rng.uniform(0.3, 0.7) / n) for n in (4, 5, 9)):
-        # The mean of a ring's new points: 3/8 v + 3/8 + 1/8 + 1/8 of the ring's mean.
-        step = np.array([[1 - n * u, n * u], [3 / 8, 5 / 8]])
-        expected = np.linalg.matrix_power(step, 200)[0, 1] / n
-        assert_close(impl.limit_weight(np.array([n]), np.array([u])), [expected])
+    u = rng.uniform(0.05, 0.2, count)
+    got = meshes.dense(impl.loop_rows(faces, edges, corner_edge, u), (count + len(edges), count))
+    assert_close(got, loop_of(count, faces, u))
 
 
 # --- a cage --------------------------------------------------------------------------------------
@@ -215,7 +167,7 @@ def warren(n):
     return np.where(n == 3, 3 / 16, 3 / (8 * np.maximum(n, 1)))  # a vertex of no face has n = 0
 
 
-@exercise("11.16")
+@exercise("11.9")
 def test_the_limit_alone_on_paper(impl):
     """Without a step, the limit is left out, or its matrix is not transposed: it is symmetric for a
     tetrahedron, and not for a fan."""
@@ -226,7 +178,7 @@ def test_the_limit_alone_on_paper(impl):
     assert_close(got.T, [[0, 32, 8, 0, 8.0]])  # on the boundary: w = 1/6
 
 
-@exercise("11.16")
+@exercise("11.9")
 def test_one_vertex_of_a_tetrahedron_on_paper(impl):
     """The step is left out, or the limit. Both are there in the wrong order. Or a matrix is used in
     place of its transpose, or its inverse."""
@@ -239,7 +191,7 @@ def test_one_vertex_of_a_tetrahedron_on_paper(impl):
     assert_close(got[2:, 1], got[2:3, 1].repeat(2))
 
 
-@exercise("11.16")
+@exercise("11.9")
 @pytest.mark.parametrize("steps", [1, 2])
 @meshes.each_mesh
 def test_a_cage_gets_what_its_surface_gives(impl, rng, count, faces, steps):

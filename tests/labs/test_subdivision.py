@@ -48,31 +48,7 @@ def test_edges_of_large_numbers_in_int32(impl):
 
 # --- entries of a matrix -------------------------------------------------------------------------
 
-@exercise("11.6")
-def test_pulls_add_up(impl):
-    """-u is missing on the diagonal, so the vertex keeps its whole weight. It has the wrong sign,
-    is 1 - u, or stands on the diagonal of the column. Rows and columns are exchanged, or both are
-    pulled."""
-    rows, columns = np.array([2, 2, 0]), np.array([0, 3, 1])
-    entries = impl.pull_entries(rows, columns, np.array([0.25, 0.5, 2.0]))
-    expected = [[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5], [0, 0, 0, 0]]
-    assert_close(meshes.dense(entries, (4, 4)), expected)
-
-
-@exercise("11.6")
-def test_what_is_alike_pulls_at_nothing(impl, rng):
-    """A sign or a weight is wrong: equal points pull each other away."""
-    rows, columns = rng.integers(0, 6, 25), rng.integers(0, 6, 25)
-    matrix = meshes.dense(impl.pull_entries(rows, columns, rng.normal(size=25)), (6, 6))
-    assert_close(matrix.sum(1), np.zeros(6))
-    expected = np.zeros((6, 6))
-    np.add.at(expected, (rows, columns), 3.0)
-    off = ~np.eye(6, dtype=bool)
-    assert_close(meshes.dense(impl.pull_entries(rows, columns, np.full(25, 3.0)), (6, 6))[off],
-                 expected[off])
-
-
-@exercise("11.7")
+@exercise("11.4")
 def test_a_path_inside(impl):
     """The 1 on the diagonal is missing. An edge pulls only one of its two ends. The strength is the
     u of the neighbour (the column), or w. u is shared by all neighbours."""
@@ -82,19 +58,7 @@ def test_a_path_inside(impl):
     assert_close(meshes.dense(entries, (4, 4)), expected)
 
 
-@exercise("11.7")
-def test_a_vertex_of_no_edge_stays(impl):
-    """The 1 on the diagonal is there only for vertices with an edge. An isolated vertex goes to 0,
-    or is nan."""
-    entries = impl.vertex_rows(np.array([[1, 3]]), np.array([False]),
-                               np.array([9.0, 0.25, 8.0, 0.5, 7.0]), 0.125)
-    expected = np.eye(5)
-    expected[1, [1, 3]] = 0.75, 0.25
-    expected[3, [1, 3]] = 0.5
-    assert_close(meshes.dense(entries, (5, 5)), expected)
-
-
-@exercise("11.7")
+@exercise("11.4")
 def test_a_path_with_a_boundary_edge(impl):
     """A vertex on the boundary is pulled along inner edges as well, by u or w. It is pulled by u
     instead of w: the boundary is ignored. A vertex inside is not pulled by one on the boundary."""
@@ -107,7 +71,7 @@ def test_a_path_with_a_boundary_edge(impl):
     assert_close(meshes.dense(entries, (5, 5)), expected)
 
 
-@exercise("11.7")
+@exercise("11.4")
 @pytest.mark.parametrize("w", [1 / 8, 1 / 6])
 @meshes.each_mesh
 def test_old_vertices_row_by_row(impl, rng, count, faces, w):

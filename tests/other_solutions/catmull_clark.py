@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .subdivision import face_lists, incidence, rings
+from .subdivision import face_lists, incidence, rings, sides
 
 
 def catmull_clark_slow(vertices, corners, counts):
@@ -24,4 +24,8 @@ def catmull_clark_slow(vertices, corners, counts):
     for ends, at in at_edge.items():
         parts = [*vertices[list(ends)], *centres[at]] if len(at) == 2 else vertices[list(ends)]
         points.append(np.mean(parts, 0))
-    return np.concatenate([points, centres])
+    quads, number = [], {edge: len(vertices) + e for e, edge in enumerate(at_edge)}
+    for f, face in enumerate(faces):
+        ahead = [number[side] for side in sides(face)]
+        quads += [(v, ahead[k], len(points) + f, ahead[k - 1]) for k, v in enumerate(face)]
+    return np.concatenate([points, centres]), np.array(quads)

@@ -3,15 +3,14 @@ import itertools
 
 import numpy as np
 
-from reference.simplification import best_position, why_refused
-
-
-def vertex_quadrics(face_quadrics, faces, vertex_count):
-    quadrics = np.zeros((vertex_count, 4, 4))
-    for q, face in zip(face_quadrics, faces, strict=True):
-        for vertex in face:
-            quadrics[vertex] += q
-    return quadrics
+from course.given import mesh
+from reference.simplification import (
+    best_anywhere,
+    best_of_three,
+    best_on_segment,
+    boundary_planes,
+    flips,
+)
 
 
 def quadric_error(q, x):
@@ -20,12 +19,27 @@ def quadric_error(q, x):
     return np.einsum("...i,...ij,...j->...", x, A, x) + (b * x).sum(-1) + q[..., 3, 3]
 
 
+def surface_quadrics(vertices, faces):
+    quadrics = np.zeros((len(vertices), 4, 4))
+    for n, face in zip(mesh.area_vectors(vertices, faces), faces, strict=True):
+        p, size = np.append(n, -n @ vertices[face[0]]), np.linalg.norm(n)
+        if size:
+            for vertex in face:
+                quadrics[vertex] += np.outer(p, p) / (2 * size)
+    for ends, p in zip(*boundary_planes(vertices, faces), strict=True):
+        for vertex in ends:
+            quadrics[vertex] += 10 * np.sum(np.diff(vertices[ends], axis=0)**2) * np.outer(p, p)
+    return quadrics
+
+
 def pair_costs(vertices, quadrics, pairs):
     places, costs = [], []
     for a, b in pairs:
-        both = quadrics[a] + quadrics[b]
-        places.append(best_position(both[None], vertices[[a]], vertices[[b]])[0])
-        costs.append(float(quadric_error(both, places[-1])))
+        q, x, y = quadrics[[a]] + quadrics[[b]], vertices[[a]], vertices[[b]]
+        low, _, high = np.linalg.svd(q[0, :3, :3])[1][::-1]
+        place, unique = (best_anywhere(q), True) if low > 1e-6 * high else best_on_segment(q, x, y)
+        places.append((place if unique else best_of_three(q, x, y))[0])
+        costs.append(quadric_error(q[0], places[-1]))
     return np.array(places).reshape(-1, 3), np.array(costs)
 
 
@@ -40,6 +54,19 @@ def satisfies_link_condition(faces, a, b):
     near_a, near_b = (set().union(*(face for face in faces if end in face)) for end in (a, b))
     thirds = set().union(*(face for face in faces if {a, b} <= face))
     return (near_a & near_b) - {a, b} == thirds - {a, b}
+
+
+def why_refused(vertices, faces, a, b, position):
+    is_edge = any({a, b} <= set(face) for face in faces.tolist())
+    if is_edge and not satisfies_link_condition(faces, a, b):
+        return 1
+    left = [face for face in faces.tolist()
+            if not {a, b} <= set(face) and (is_edge or max(face) < len(vertices))]
+    if len({frozenset(a if v == b else v for v in face) for face in left}) < len(left):
+        return 2
+    real, moved = [face for face in left if max(face) < len(vertices)], vertices.copy()
+    moved[[a, b]] = position
+    return 3 * flips(vertices[real], moved[real]) if real else 0
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):

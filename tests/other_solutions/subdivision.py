@@ -41,8 +41,3 @@ def rings(at_edge):
             if len(at) == 1:
                 border[v].append(other)
     return ring, border
-
-
-def as_entries(entries):
-    rows, columns, weights = ([entry[k] for entry in entries] for k in range(3))
-    return np.array(rows, int), np.array(columns, int), np.array(weights, float)

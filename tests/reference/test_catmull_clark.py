@@ -12,9 +12,10 @@ from reference import catmull_clark, subdivision
 def test_catmull_clarks_matrix_agrees_with_the_slow_version(vertices, corners, counts):
     """Two versions of one scheme that differ at a hole. And a second step, of quads only."""
     for _ in range(2):
-        slow = catmull_clark.catmull_clark_slow(vertices, corners, counts)
+        slow, quads = catmull_clark.catmull_clark_slow(vertices, corners, counts)
         vertices, corners, counts = catmull_clark.catmull_clark(vertices, corners, counts)
         np.testing.assert_allclose(vertices, slow, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(corners, quads.ravel())
 
 
 # --- boundaries and limits -----------------------------------------------------------------------

@@ -7,6 +7,7 @@ import pytest
 from simplification_meshes import euler, planes_of
 
 from course.given import distances, mesh
+from course.given.gradcheck import gradcheck
 from labkit.checks import assert_close, assert_equal
 from reference import collapse_heap, simplification, subdivision
 
@@ -126,6 +127,16 @@ def test_cracks_are_closed_by_near_pairs():
     assert len(mesh.boundary_edges(joined)) <= 64
 
 
+def test_two_boundaries_are_sewn_together():
+    """Pairs that are no edges, of two squares side by side, with a crack between."""
+    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0],
+                         [1, 0, 0], [2, 0, 0], [1, 1, 0], [2, 1, 0]])
+    faces = np.array([[0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]])
+    q = simplification.mesh_quadrics(vertices, faces)
+    got = collapse_heap.simplify_heap(vertices, faces, q, np.array([[1, 4], [3, 6]]), 0)
+    assert_equal(got[1:], ([[0, 1, 3], [0, 3, 2], [1, 5, 7], [1, 7, 3]], np.zeros(3, int)))
+
+
 def test_broken_meshes_give_a_right_answer():
     """Three faces at an edge, another winding, repeated and degenerate faces, unused vertices."""
     vertices, faces = mesh.grid(72)
@@ -219,23 +230,18 @@ def test_near_vertices_are_pairs_too():
     assert_equal(simplification.valid_pairs(vertices, faces, 0.51), expected)
 
 
-def test_of_equal_errors_the_first_counts():
-    """The order is a, b, middle."""
-    plane, hill = planes_of([0, 0, 1, 0]), -planes_of([1, 0, 0, 0], [1, 0, 0, -2])
-    slope = np.zeros((1, 4, 4))
-    slope[0, 0, 3] = slope[0, 3, 0] = -1.0
-    q = np.concatenate([plane, hill, slope])
-    a = np.array([[4.0, 1.0, 0.0], [0.0, 5.0, 0.0], [0.0, 5.0, 0.0]])
-    b = np.array([[8.0, 3.0, 0.0], [2.0, 7.0, 0.0], [2.0, 7.0, 0.0]])
-    assert_equal(simplification.best_of_three(q, a, b), [a[0], a[1], b[2]])
-    valley = planes_of([1, 0, 0, -1.5])          # b and the middle are equally good
-    assert_equal(simplification.best_of_three(valley, a[1:2], b[1:2]), b[1:2])
+def test_an_error_has_a_gradient():
+    """(Q + Q^T) v is taken for 2 Q v, or a factor is missing. All 16 numbers of Q are free."""
+    rng = np.random.default_rng(0)
+    gradcheck(simplification.quadric_error, simplification.quadric_error_backward,
+              (rng.normal(size=(3, 2, 4, 4)), rng.normal(size=(3, 2, 3))), name="quadric_error")
 
 
 def test_without_any_plane_a_stays():
     """A = 0: the system is singular, for vertices of faces without area."""
     a, b = np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 4.0, 4.0]])
-    assert_equal(simplification.best_position(np.zeros((1, 4, 4)), a, b), a)
+    assert_equal(simplification.pair_costs(np.concatenate([a, b]), np.zeros((2, 4, 4)),
+                                           np.array([[0, 1]])), (a, [0.0]))
 
 
 @pytest.mark.parametrize(("faces", "expected"), [
