@@ -1,6 +1,6 @@
 """Pair kernels: lab 8's antialiasing as loops over pairs of pixels, there and back.
 
-    a thread a band    find_pairs         pairs that see different faces, and their walks, (1) to (3)
+    a thread a band    find_pairs         the walks of pairs that see different faces, (1) to (3)
     one thread         blend              (4) and (5), in the pairs' order
                        blend_backward     gradients of edges' ends, and of the pixels of each pair
 
@@ -16,7 +16,6 @@ from course.given.compiled import kernel
 
 from .outlines import WINDOW
 from .rasterization import CAMERA_PLANE
-
 
 # A flat picture (H W,): the face that each pixel sees, and its depth; and its sides.
 Screen = namedtuple("Screen", "face_index depth width height")

@@ -19,7 +19,8 @@ def floor(labs):
     image, (seen, uv, jacobian) = tiles(), looked_at(labs, 220, 124)
     for filter_mode in FILTERS:
         colour = labs.mipmapping.texture(image, uv, jacobian, filter_mode=filter_mode)
-        yield filter_mode, save("floor", filter_mode, enlarged(pictures.to_srgb(painted(seen, colour)), 3))
+        picture = enlarged(pictures.to_srgb(painted(seen, colour)), 3)
+        yield filter_mode, save("floor", filter_mode, picture)
     x = fit(labs, 48, 27)[-1]
     off = 64 * np.abs(x - MOVED)[:2].max()
     yield (f"its texture, moved and blurred, is found: {off:.2f} texels off, bias {x[2]:.2f}", None,
@@ -34,7 +35,7 @@ def fit(labs, width, height, steps=100):
         return image, uv + x[:2], jacobian, x[2], FILTERS[2]
 
     goal, path = labs.mipmapping.texture(*look(MOVED)), [np.zeros(3)]
-    for step in range(steps):
+    for _ in range(steps):
         colour = labs.mipmapping.texture(*look(path[-1]))
         _, by_uv, _, by_bias = labs.mipmapping.texture_backward(colour - goal, *look(path[-1]))
         grad = np.append(by_uv.sum(0), by_bias)

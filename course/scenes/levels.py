@@ -93,9 +93,9 @@ def simplified(labs, out="simplified", shape=None):
     yield (size_in_words(vertices, faces),
            save(out, "0", faceted(labs, vertices, faces, BUNNY_EYE)))
     count = min(1000, len(faces) // 2)
-    for step, (vertices, faces) in enumerate(fewer(labs, vertices, faces, count), 1):
-        yield (f"{len(faces):,} faces, by the {'heap' if step == 1 else 'loop'}",
-               save(out, str(step), faceted(labs, vertices, faces, BUNNY_EYE)))
+    for step, (places, left) in enumerate(fewer(labs, vertices, faces, count), 1):
+        yield (f"{len(left):,} faces, by the {'heap' if step == 1 else 'loop'}",
+               save(out, str(step), faceted(labs, places, left, BUNNY_EYE)))
 
 
 def fewer(labs, vertices, faces, count):

@@ -187,8 +187,8 @@ def test_a_level_lies_between_two(impl):
 
 @exercise("6.8")
 def test_levels_are_clamped_to_the_pyramid(impl):
-    """One end is not clamped, or upper is top + 1, or the fraction is taken before. Infinite levels,
-    or a pyramid of one level, top = 0: it has level 0 alone.
+    """One end is not clamped, or upper is top + 1, or the fraction is taken before. Infinite
+    levels, or a pyramid of one level, top = 0: it has level 0 alone.
     """
     for top in 3, 0:
         level = np.array([-np.inf, -7.5, -0.25, 3.5, 9.0, np.inf])

@@ -428,8 +428,8 @@ def test_the_gradient_of_the_background_is_a_central_difference(impl, rng, gradc
 def test_the_cost_on_paper(impl):
     """Samples count only where a face is seen, or pixels are counted. Bytes are those of the shades
     or of one sample. Faces are counted in the whole picture. Face 0 is taken for no face (> 0 for
-    >= 0), or the background, -1, is shaded as if it were one. Samples are not sorted, so that a face
-    that comes back is counted twice. The outputs are in another order.
+    >= 0), or the background, -1, is shaded as if it were one. Samples are not sorted, so that a
+    face that comes back is counted twice. The outputs are in another order.
     """
     assert_equal(impl.cost(FACE_INDEX, 8), (24, 8, 192))
 

@@ -4,6 +4,7 @@ import pytest
 
 from labkit.checks import assert_close, assert_equal, exercise
 
+
 @exercise("10.6")
 def test_two_pixels_pull_on_paper(impl):
     """The minus is left out: descent must take the edge to the pixel. The difference of the colours

@@ -129,8 +129,8 @@ def test_every_place_may_have_its_own_size(impl, rng):
         expected = np.array([four_texels(*one, boundary) for one in zip(uv, *sizes, strict=True)])
         assert_close(weight.T, expected[:, 1], f"weight, {boundary}")
         assert_equal(inside.T, expected[:, 2] > 0, f"inside, {boundary}")
-        assert_equal(np.where(inside, index, 0).T, np.where(inside.T, expected[:, 0], 0).astype(int),
-                     f"index, {boundary}")
+        assert_equal(np.where(inside, index, 0).T,
+                     np.where(inside.T, expected[:, 0], 0).astype(int), f"index, {boundary}")
 
 
 # --- the look-up -------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
-from simplification_meshes import euler, planes_of
+from simplification_meshes import euler
 
 from course.given import distances, mesh
 from course.given.gradcheck import gradcheck
