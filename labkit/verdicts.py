@@ -16,7 +16,7 @@ from .checks.showing import plural
 from .table import COMMAND
 
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
-             "modules in labs/, one file each: from .norms import norm")
+             "modules in labs/, one file each of at most 32 kB of UTF-8: from .norms import norm")
 KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
 NOTHING = "not started", "not readable"  # verdicts that give no points, whatever claims hold
 

@@ -140,11 +140,15 @@ def chosen(entries, name, notes):
         _, place, entry, when, content = min(found, key=lambda one: one[0])
         labs[topic] = Lab(when, quoted(entry), careful(content))
         folders[place.parent] = None
-        notes += passed_over(entry, [other for *_, other, _, _ in found])
+    own = beside(labs, folders, places)
+    taken = {lab.source for lab in (*labs.values(), *own.values())}
+    for topic, found in there.items():
+        notes += passed_over(labs[topic].source, [other for *_, other, _, _ in found
+                                                  if quoted(other) not in taken])
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
         notes.append(f"{quoted(name)} {what}")
-    return labs | beside(labs, folders, places)
+    return labs | own
 
 
 def beside(labs, folders, places):
@@ -164,8 +168,8 @@ def beside(labs, folders, places):
 
 def passed_over(taken, names):
     """A sentence, or none, on the files that could have been taken in place of this one."""
-    if left := [name for name in names if name != taken]:
-        yield f"{quoted(taken)} was taken, not {few(left)}"
+    if names:
+        yield f"{taken} was taken, not {few(names)}"
 
 
 def newest(found, notes) -> dict[str, Lab]:

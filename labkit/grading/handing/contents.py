@@ -6,7 +6,6 @@ from typing import NamedTuple
 from ... import exercises, imports
 
 MOST_TEXT = 1 << 18  # bytes of one lab
-MOST_OWN = 1 << 15   # of a module of the student's own: these are sent together
 
 
 class Lab(NamedTuple):
@@ -39,7 +38,7 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
 def own_text(labs, notes, name):
     """The text of a module of the student's own. None: it cannot be taken, which is noted."""
     try:
-        return text_of(labs[name].content, MOST_OWN)
+        return text_of(labs[name].content, imports.MOST_OWN)
     except KeyError:
         notes.append(f"labs/{name}.py, which is imported, is not beside the lab that imports it")
     except ValueError as error:
