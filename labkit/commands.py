@@ -48,7 +48,6 @@ def whole_number(least, most=None):
     return read
 
 
-GRADED = option("--labs", metavar="1-4", help="grade these labs; without, all of them")
 SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
 TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
@@ -130,18 +129,11 @@ def solutions(asked):
     return handout.release(asked.labs, asked.file)
 
 
-@command(TEACH, "autograder FILE", option("file", metavar="FILE", help="the zip's name"), GRADED)
-def autograder(asked):
-    """Write the zip that Gradescope takes as an assignment's autograder."""
-    from .grading import autograder
-    return autograder.gradescope(asked.file, asked.labs)
-
-
 @command(
     TEACH, "grade SUBMISSIONS",
     option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files"),
     option("--out", required=True, metavar="DIR", help="where reports and tables are written"),
-    GRADED,
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them"),
     option("--jobs", type=whole_number(1), metavar="N",
            help="how many at a time; without, one for each core"),
     option("--resume", action="store_true", help="keep results of the same work and checks"),
