@@ -130,8 +130,9 @@ def solutions(asked):
 
 
 @command(
-    TEACH, "grade SUBMISSIONS",
-    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files"),
+    TEACH, "grade [SUBMISSIONS]",
+    option("submissions", nargs="?", metavar="SUBMISSIONS",
+           help="a folder of folders, zips or single files; without, what DIR keeps, again"),
     option("--out", required=True, metavar="DIR", help="where reports and tables are written"),
     option("--labs", metavar="1-4", help="grade these labs; without, all of them"),
     option("--jobs", type=whole_number(1), metavar="N",
@@ -152,6 +153,8 @@ def solutions(asked):
                                          "2026-11-22T23:59+01:00"),
     option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun"),
     option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d"),
+    option("--count", choices=("newest", "last-on-time", "best"),
+           help="which counts of several hand-ins; without, the newest"),
     option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason"),
     option("--people", metavar="FILE",
            help="groups, and due times of single students: student,group,due"),

@@ -1,5 +1,6 @@
 """A class's submissions: what is asked for, and in which order it is done."""
 import contextlib
+import functools
 import hashlib
 import os
 import sys
@@ -10,6 +11,7 @@ from rich.console import Console
 from rich.progress import track
 
 from .. import exercises, places
+from ..table import COMMAND
 from .apart import running, sandbox, typed_json
 from .apart.jobs import Job
 from .gradebook import earlier, lateness, people
@@ -28,26 +30,38 @@ def run(request: Request) -> int:
     require_whole(topics)
     limits = limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
+    seed_of = functools.partial(own_seed, request.seed)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if exercise.points and (request.extra or not exercise.is_extra)]
-    handed_in, persons, not_understood = read(request, topics)
+    kept, lost = earlier.works(Path(request.out), topics, seed_of)
+    handed_in, persons, not_understood = read(request, topics, kept, lost)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
     book = Gradebook(request, works, columns, persons)
+    counting = [each for one in handed_in for each in book.counting(
+        book.with_earlier(one, kept.get(one.student)), request.count)]
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
     print(*said_before(results), sep="\n")
-    todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
-                      bool(request.extra))) for one in handed_in]
+    todo = [(one, Job(one.texts, one.missing, level, seed_of(one.texts), limits,
+                      bool(request.extra))) for one in counting]
     return grade_all(request, topics, todo, before, results)
 
 
-def read(request, topics):
-    """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
+def read(request, topics, kept, lost):
+    """-> (submissions, one for each student; lines of people.csv; what was not understood).
+
+    kept, lost: of earlier.works. They are all that there is where no folder was handed in.
+    """
     zone = lateness.zone(request.due)
     persons = people.read(request.people, zone) if request.people else []
-    handed_in, not_understood = submissions.read(request.submissions, topics)
+    if request.submissions is None and (lost or not kept):
+        raise ValueError(f"{request.out} does not keep what was handed in"
+                         f"{' by ' * bool(lost)}{', '.join(lost)}, as the tables show it: name the "
+                         "folder with the submissions")
+    handed_in, not_understood = (submissions.read(request.submissions, topics)
+                                 if request.submissions else (list(kept.values()), []))
     return people.with_members(handed_in, persons), persons, not_understood
 
 
@@ -64,11 +78,11 @@ def said_before(results):
 
 def grade_all(request, topics, todo, before, results):
     """Examine what is to be done, keep the rest, write all results -> the exit status."""
-    students, started = [one.student for one, _ in todo], time.monotonic()
+    students, started = list(dict.fromkeys(one.student for one, _ in todo)), time.monotonic()
     if request.resume:
-        todo = [(one, job) for one, job in todo if not results.keep(one.student, fingerprint(job))]
+        todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]
     for record in before:
-        results.take(record)
+        results.take(record, record.work)
     if todo:
         asks = rehearsed(topics, todo[0][1], request.jobs)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
@@ -77,9 +91,14 @@ def grade_all(request, topics, todo, before, results):
     files = results.close()
     failed = {name: problem for name in students
               if (problem := results.records[name].result.problem)}
-    print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
+    graded = len({one.student for one, _ in todo})
+    print(f"{graded} submissions graded in {time.monotonic() - started:.1f} s, "
+          f"{len(students) - graded} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
+    if old := [name for name, record in results.records.items()
+               if record.how.checks != results.run.checks[:12]]:
+        print(f"graded by other checks than today's: {', '.join(old)}; {COMMAND} grade --out "
+              f"{request.out} grades again all that is in the tables")
     print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.changed(),
           *files, sep="\n")
     return int(bool(failed))

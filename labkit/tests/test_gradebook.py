@@ -198,7 +198,7 @@ def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
     """Everybody from Moodle is in time, or the file's own time counts."""
     class_ = [submission(name, "moodle", id=f"700{row}") for row, name in enumerate("akl", 1)]
     known = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
-    records = {one.student: known.entered(graded(one.student)) for one in class_}
+    records = {one.student: known.entered(record(one, RIGHT)) for one in class_}
     assert [worth.after_lateness(each) for each in records.values()] == [10, 9, 8]
     known.write(tmp_path, records)
     table = read_back((tmp_path / "for-moodle.csv").read_bytes())
@@ -210,7 +210,7 @@ def test_canvas_says_late_and_not_by_how_much(tmp_path):
     class_ = [submission("a", "canvas", id="50101", late=True),
               submission("b", "canvas", id="50102", late=False), submission("c")]
     known = book(class_, due=DUE, late="10%/day")
-    cells = {name: tables.line(known.entered(graded(name)), CORE) for name in "abc"}
+    cells = {one.student: tables.line(known.entered(record(one, RIGHT)), CORE) for one in class_}
     assert [cells[name]["late by"] for name in "abc"] == [lateness.NOT_TOLD, "", lateness.NO_TIME]
     assert {cells[name]["after lateness"] for name in "abc"} == {"10"}
     assert "a is late, by how much is not told. Nothing is taken off" in "\n".join(known.said())
@@ -297,7 +297,7 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
     assert "4 of 10 points" in page.read_text("utf-8")
     path = by_hand(tmp_path, "ada,2.2,6,right after all")
     again = Results(tmp_path, book([one], overrides=path), RUN)
-    assert not again.keep("ada", "another") and again.keep("ada", "same")
+    assert not again.keep(one, "another") and again.keep(one, "same")
     text = page.read_text("utf-8")
     assert "10 of 10 points" in text and "right after all" in text and "base64,cG5n" in text
 
@@ -312,7 +312,7 @@ def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
     with pytest.raises(ValueError, match="for other labs or points"):
         earlier.records(tmp_path, [second], [one._replace(points=9) for one in CORE])
     later = Results(tmp_path, book([second, before.work], **CANVAS), RUN)
-    later.take(before)
+    later.take(before, before.work)
     later.add(second, 0, "", RIGHT, {})
     assert tmp_path / "for-canvas.csv" in later.close()
     table = read_back((tmp_path / "for-canvas.csv").read_bytes())

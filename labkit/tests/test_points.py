@@ -70,7 +70,7 @@ def test_all_or_nothing_is_another_sum_of_the_same_checks(tmp_path):
         ada, 0, "same", found, {})
     strict = Gradebook(Request("in", "out", all_or_nothing=True), [ada], COLUMNS)
     results = Results(tmp_path, strict, run)
-    assert results.keep("ada", "same")
+    assert results.keep(ada, "same")
     results.close()
     with open(tmp_path / "grades.csv", encoding="utf-8-sig") as file:
         [row] = csv.DictReader(file)

@@ -8,6 +8,9 @@ from ... import exercises, imports
 MOST_TEXT = 1 << 18  # bytes of one lab
 
 
+ABSENT = "there is no labs/{}.py in what was handed in"
+
+
 class Lab(NamedTuple):
     """The file of one lab."""
 
@@ -26,7 +29,7 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
         try:
             texts[topic] = text_of(labs[topic].content)
         except KeyError:
-            missing[topic] = f"there is no labs/{topic}.py in what was handed in"
+            missing[topic] = ABSENT.format(topic)
         except ValueError as error:
             missing[topic] = f"labs/{topic}.py {error}"
     texts |= imports.own_modules(texts.values(), functools.partial(own_text, labs, notes))
