@@ -31,6 +31,7 @@ import time
 import types
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ... import exercises
@@ -241,7 +242,7 @@ class Examination:
         if kind == "raised":
             self.raise_here(topic, *answer[:3])
         if kind == "returned":
-            for changed in answer[1]:
+            for changed in answer[1][:len(inputs)]:
                 change(inputs, changed)
         return shortened(answer[0])
 
@@ -332,7 +333,8 @@ def change(inputs, changed):
     """Do to an input what the worker says was done to its copy: its position, and the array."""
     with contextlib.suppress(IndexError, TypeError, ValueError, OverflowError):
         position, array = changed
-        inputs[position][...] = array
+        if inputs[position].shape == np.shape(array):  # one number for all is much work
+            inputs[position][...] = array
 
 
 def printable(text):
