@@ -13,7 +13,7 @@ from rich.progress import track
 from .. import exercises, places
 from ..table import COMMAND
 from .apart import running, sandbox, typed_json
-from .apart.jobs import Job
+from .apart.jobs import Job, failure
 from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
 from .handing import contents, submissions
@@ -106,7 +106,10 @@ def grade_all(request, topics, todo, before, results):
 
 def examine(request, todo, results):
     """Examine [(submission, its job)], and write each result when it is there."""
-    works = together(todo)
+    for one, job in todo:
+        if one.problem:
+            results.add(one, job.seed, "", failure(one.problem), {})
+    works = together([(one, job) for one, job in todo if not one.problem])
     examined = running.examined(works, request.jobs or os.cpu_count())
     with contextlib.closing(examined) as steps:
         for group, job, (result, pictures) in progress(steps, len(works)):

@@ -21,6 +21,7 @@ from submitted import put
 from labkit import exercises
 from labkit.grading import grade
 from labkit.grading.apart import running, sandbox
+from labkit.grading.handing import archives
 from labkit.grading.request import Request
 from labkit.lab_text import skeleton
 
@@ -186,16 +187,24 @@ def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
             raise RuntimeError("boom")
         return result(entry(exercise("1.1", "f", 2), "done", topic="transforms")), {}
 
+    def opened(path, budget):
+        if path.name.startswith("fay"):
+            raise PermissionError(13, "Permission denied")
+        return archives.Paid(path, budget)
+
     monkeypatch.setattr(running, "examine", examine)
-    hand_in(tmp_path, ada="x", bob="boom", eve="x", zoe="x")
+    monkeypatch.setattr(archives, "opened", opened)
+    hand_in(tmp_path, ada="x", bob="boom", eve="x", fay="x", zoe="x")
     put(tmp_path / "out", {"students/eve": "a file where a folder should be"})
     request = Request(tmp_path / "in", tmp_path / "out", "1", isolation="process")
     assert grade.run(request) == 1
     table = grades(tmp_path / "out")
-    assert [row["total"] for row in table.values()] == ["2", "", "", "2"]
+    assert [row["total"] for row in table.values()] == ["2", "", "", "", "2"]
     assert table["bob"]["problem"] == "the examination broke off: RuntimeError: boom"
     assert "its results cannot be written" in table["eve"]["problem"]
-    assert "2 could not be graded" in capsys.readouterr().out
+    assert table["fay"]["problem"] == ("fay_transforms.py cannot be read here (Permission denied): "
+                                       "allow yourself to read it, and grade again")
+    assert "3 could not be graded" in capsys.readouterr().out
 
 
 def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):

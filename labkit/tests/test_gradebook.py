@@ -50,6 +50,9 @@ def file(folder, name, *lines):
     return folder / name
 
 
+STUDENTS = {"ada": ["ada"], "Wei": ["wei_1", "wei_2"]}
+
+
 def by_hand(folder, *lines):
     """A table of overrides."""
     return file(folder, "o.csv", "student,exercise,points,reason", *lines)
@@ -249,7 +252,9 @@ def test_another_maximum_there_is_told(platform):
 
 
 @pytest.mark.parametrize(("line", "sentence"), [
-    ("adda,2.1,3,x", "nobody called 'adda'"), ("ada,2.7,3,x", "'2.7' is not graded"),
+    ("adda,2.1,3,x", "nobody called 'adda'"),
+    ("Wei,2.1,3,x", r"2 called 'Wei' handed in anything \(wei_1, wei_2\): write the name as in"),
+    ("ada,2.7,3,x", "'2.7' is not graded"),
     ("ada,2.1,3,", "no reason for ada's 2.1"), ("ada,2.1,5,x", "'5' is no number of points from 0"),
     ("ada,2.1,-1,x", "from 0 to 4"), ("ada,2.1,nan,x", "from 0 to 4"), ("ada,2.1,,x", "from 0 to"),
     ("ada,total,11,x", "from 0 to 10"), ("ada", "'' is not graded"),
@@ -258,17 +263,17 @@ def test_a_wrong_override_is_refused_by_its_line(tmp_path, line, sentence):
     """It is left out silently, or changes somebody else's points."""
     path = by_hand(tmp_path, "", 'ada,2.2,6,"a reason', 'in two lines"', line)
     with pytest.raises(ValueError, match=f"o.csv, line 5: .*{sentence}"):
-        overrides.read(path, {"ada": "ada"}, CORE)
+        overrides.read(path, STUDENTS, CORE)
     path = file(tmp_path, "o.csv", "student,exercise,points")
     with pytest.raises(ValueError, match="no column reason"):
-        overrides.read(path, {"ada": "ada"}, CORE)
+        overrides.read(path, STUDENTS, CORE)
 
 
 def test_points_by_hand_show_with_their_reason(tmp_path):
     """Nobody knows in May why Ada has 9.5 points."""
     path = file(tmp_path, "o.csv", "student;exercise;points;reason",
                 "ada;2.2;5,5;the <b>figure</b> was right", "ada;late;0;was ill")
-    given = overrides.read(path, {"ada": "ada"}, CORE)["ada"]
+    given = overrides.read(path, STUDENTS, CORE)["ada"]
     ada = graded("ada", WRONG, overrides=given, late=("2:00:00", 50))
     cells = tables.line(ada, CORE)
     assert (cells["2.2 cover"], cells["total"], cells["after lateness"]) == ("5.5", "9.5", "9.5")

@@ -30,7 +30,7 @@ OTHER_POINTS = {
         "memory_between_questions"},
     5: {"left_files"},
     7: {"honest", "matplotlib", "output_flood", "thread", "daemon", "kills_by_number",
-        "ends_well", "exits_hard_at_exit",  # all that it returned is right; how it ends does not matter
+        "exits_hard_at_exit", "ends_well",  # all answers are right; how it ends does not matter
         "kills_its_parent"},   # the first process of a sandbox can't be killed from inside
 }
 POINTS = {path.stem: 6 for path in HOSTILE.glob("*.py")} | {

@@ -51,6 +51,7 @@ NAMES = {
         f"{MOODLE}_/transforms.py", f"{MOODLE}/labs/transforms.py", f"{MOODLE}_transforms.py"],
     "Grace_99_assignsubmission_file_Eve_105": [  # so she calls herself, to be in Grace's row
         "Grace_99_assignsubmission_file Eve_105_assignsubmission_file/transforms.py"],
+    "ada_l_x.edu": ["ada_l@x.edu_1_handin.zip", "ada_l@x.edu_12_transforms.py"],
     "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
     "cmd": ["=cmd()/transforms.py"],
     "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
@@ -61,7 +62,8 @@ NAMES = {
     (name, student) for student, names in NAMES.items() for name in names])
 def test_the_student_is_found_in_the_name(handed_in, name, student):
     """Half of a platform's name becomes the student, or a name is a formula in a table."""
-    found = handed_in({name: "x = 1\n"})
+    lab = "x = 1\n"
+    found = handed_in({name: {"transforms.py": lab} if name.endswith("zip") else lab})
     assert list(found) == [student]
     assert found[student].texts == {"transforms": "x = 1\n"}
     assert found[student].missing == {
@@ -152,6 +154,7 @@ def test_archives_are_read(handed_in, name, content):
 @pytest.mark.parametrize(("names", "newest"), [  # in the order of their files' times
     (["ada_12_500_labs.zip", "ada_12_700_labs.zip"], 1),
     (["ada_12_700_labs.zip", "ada_12_600_labs-2.zip"], 0),
+    (["ada@x_2_handin.zip", "ada@x_10_handin.zip"], 1),
     (["ada_12_700_transforms-2.py", "ada_12_701_transforms-1.py"], 1),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip", "ada_12_7_transforms.py"], 2),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip"], 1),
@@ -164,6 +167,14 @@ def test_a_student_s_newest_wins(handed_in, names, newest):
     one, = handed_in({name: {"transforms.py": text} if name.endswith(".zip") else text
                       for name, text in texts.items()}).values()
     assert one.texts == {"transforms": "new"} and one.notes
+
+
+def test_a_note_names_the_folders(handed_in):
+    """"transforms.py is the newest; not looked at: transforms.py", and nobody knows which."""
+    names = MOODLE, MOODLE.replace("file", "onlinetext")
+    one, = handed_in({f"{name}/transforms.py": name for name in names}).values()
+    assert one.notes == (f"transforms: {names[1]}/transforms.py is the newest; not looked at: "
+                         f"{names[0]}/transforms.py",)
 
 
 def test_what_is_broken_and_newer_counts_for_nothing(handed_in):

@@ -23,7 +23,7 @@ class Gradebook:
         self.of = sum(exercise.points for exercise in columns)
         self.policy = lateness.policy(asked.due, asked.late, asked.grace)
         self.by_hand = {} if asked.overrides is None else overrides.read(
-            asked.overrides, people.names(handed_in), columns)
+            asked.overrides, people.called(handed_in), columns)
         self.persons, self.due = persons, people.due_times(handed_in, persons)
         self.roster, self.rows, self.unmatched = None, {}, {}
         if asked.csv:

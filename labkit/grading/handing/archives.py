@@ -191,9 +191,14 @@ def few(names):
 
 
 def careful(function):
-    """What the function returns, or the ValueError that says why there is nothing."""
+    """What the function returns, or the ValueError that says why there is nothing.
+
+    PermissionError: the grader may not read what is there, which is nobody's fault who handed in.
+    """
     try:
         return function()
+    except PermissionError:
+        raise
     except ValueError as error:
         return error
     except Exception as error:  # whatever a broken archive makes the parser stumble over

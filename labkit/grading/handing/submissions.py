@@ -33,6 +33,7 @@ class Submission(NamedTuple):
     late: bool | None = None  # as the platform says; None: it says nothing
     digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
     group: str = ""           # whose members hand in the same
+    problem: str = ""         # why it cannot be graded, which is not the student's doing
     others: tuple = ()        # Submissions: what this student had handed in at other times
 
 
@@ -106,13 +107,20 @@ def submission(name, found, topics, groups):
     """The newest file of each lab that a student has handed in. What was there before as well
     counts from then on. groups {path: its group}.
     """
-    every, budget = [], archives.Budget()
+    every, budget, problem = [], archives.Budget(), ""
     found = sorted(found, key=lambda one: one[0].order, reverse=True)
     for sender, path in found:
         notes = []
-        there = archives.labs_in(path, path.name, notes, budget)
-        every.append((sender, path, notes, {topic: lab._replace(when=(sender.order, lab.when))
-                                            for topic, lab in there.items()}))
+        there, inside = {}, f"{path.name}/" if len(found) > 1 and path.is_dir() else ""
+        try:
+            there = archives.labs_in(path, path.name, notes, budget)
+        except PermissionError as error:
+            problem = (f"{archives.quoted(path.name)} cannot be read here "
+                       f"({archives.reason(error)}): allow yourself to read it, and grade again")
+        every.append((sender, path, notes, {
+            topic: lab._replace(when=(sender.order, lab.when),
+                                source=archives.quoted(inside + lab.source))
+            for topic, lab in there.items()}))
     newest, *before = (at_a_time(name, every[k:], topics, groups)
                        for k in range(min(len(every), MOST_TIMES)))
     first = {}
@@ -121,7 +129,8 @@ def submission(name, found, topics, groups):
     counts = first.pop(tuple(sorted(newest.texts.items())))
     again = [AGAIN] * ((counts.late, counts.handed_in) != (newest.late, newest.handed_in))
     return counts._replace(
-        missing=newest.missing, digest=newest.digest, others=tuple(first.values()),
+        missing=newest.missing, digest=newest.digest, problem=problem,
+        others=tuple(first.values()),
         notes=(*newest.notes, *again * bool(newest.texts)))
 
 
