@@ -150,6 +150,7 @@ def not_there(labs, code):
     warnings, losses = [], []
     for topic, lab in labs.items():
         worth = sum(one.points for one in lab if not one.is_extra)
+        warnings += imports.pasted(topic, imports.text_in(code, topic) or "")
         for path, need in imports.not_there(topic, code):
             costs = need.at_the_top and worth
             so = f", so {topic}.py would lose all its {plural(worth, 'point')}" if costs else ""

@@ -97,7 +97,7 @@ REFUSED = {  # what lies beside a lab that gets no points, and what the notes or
     "huge": (Own("from .norms import twice", files=(("norms.py", TWICE + "#" * (1 << 15)),)),
              "labs/norms.py has more than 32 kB"),
     "not_utf8": (Own("from .norms import twice", files=(("norms.py", TWICE.encode() + b"#\xe9"),)),
-                 "labs/norms.py is not UTF-8 text (byte 32): save it as UTF-8"),
+                 "labs/norms.py is not UTF-8 text (line 3): save it as UTF-8"),
     "a_zero_byte": (Own("from .norms import twice", files=(("norms.py", f"{TWICE}\0"),)),
                     "source code string cannot contain null bytes"),
     "a_mistake": (Own("from .norms import twice", files=(("norms.py", f"{TWICE}\ndef (:\n"),)),
@@ -105,6 +105,7 @@ REFUSED = {  # what lies beside a lab that gets no points, and what the notes or
     "many": (Own("\n".join(f"from .n{k:02} import twice" for k in range(17)),
                  files=tuple((f"n{k:02}.py", TWICE) for k in range(17))),
              "No module named 'labs.n16'"),
+    "leaves": (Own("from .norms import twice", files=(("norms.py", "exit()\n"),)), "SystemExit"),
     "exits": (Own("from .norms import twice", files=(("norms.py", "import os\nos._exit(0)"),)),
               "the process ended with exit status 0")}
 KEEPS = """\

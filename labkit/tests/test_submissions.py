@@ -252,13 +252,24 @@ def test_the_hash_is_of_all_labs_that_were_handed_in(handed_in):
     (f"{MOODLE.replace('file', 'onlinetext')}/onlinetext.html", "x", "only onlinetext.html"),
     (f"{MOODLE.replace('submission_', 'feedback_')}/report.html", "x", "only report.html"),
     ("ada/readme.txt", "x", "ada holds no lab, only readme.txt"),
-    ("ada.zip", {"labs/transforms.py": b"\xe9"}, "is not UTF-8 text (byte 0)"),
+    ("ada.zip", {"labs/transforms.py": b"#\n#\n\xe9"}, "is not UTF-8 text (line 3): save"),
     ("ada.zip", {"labs/transforms.py": "#" * (1 << 19)}, "has more than 256 kB"),
 ])
 def test_who_handed_in_what_cannot_be_read_has_a_row(handed_in, name, content, sentence):
     """A student without a row, and without a word on what to do."""
     one, = handed_in({name: content}).values()
     assert one.texts == {} and sentence in one.missing["transforms"]
+
+
+def test_a_lab_below_itself_is_told(handed_in):
+    """"not started", seven times, to who has written all of it."""
+    lab = "def f():\n    return 1\n\ndef g():\n    return 1\n"
+    empty = lab.replace("return 1", '"""?"""\n    raise NotImplementedError("exercise 1.1: f")')
+    found = handed_in({"ada/transforms.py": lab + empty, "bob/transforms.py": empty + lab,
+                       "eve/transforms.py": lab + lab})
+    assert {name: one.notes for name, one in found.items() if one.notes} == {
+        "ada": ("labs/transforms.py has f and 1 more twice, and the last one counts, which is not "
+                "written: take out what was pasted below",)}
 
 
 def test_an_empty_folder_and_a_link_have_a_row(tmp_path):

@@ -28,6 +28,7 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
     for topic in topics:
         try:
             texts[topic] = text_of(labs[topic].content)
+            notes += imports.pasted(topic, texts[topic])
         except KeyError:
             missing[topic] = ABSENT.format(topic)
         except ValueError as error:
@@ -60,7 +61,8 @@ def text_of(content, most=MOST_TEXT):
     try:
         return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
+        line = content.count(b"\n", 0, error.start) + 1
+        raise ValueError(f"is not UTF-8 text (line {line}): save it as UTF-8") from None
 
 
 def digest(texts) -> str:
