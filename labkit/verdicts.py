@@ -52,14 +52,16 @@ class Entry(NamedTuple):
     def reached(self) -> float:
         """Its points by the share of its question's claims that hold, down to half points.
 
-        All of them only where it is done: else one can be lost after its claims have held. None if
-        no claim holds whose numbers are drawn: all others can be typed in from the checks.
+        All of them only where it is done: one whose process is lost after all claims have held
+        has the points of all but one. None if no claim holds whose numbers are drawn: all others
+        can be typed in from the checks.
         """
         hold, of = self.claims
         if self.verdict == "done":
             return self.points
-        is_lost = self.verdict in NOTHING or hold == of or self.only_known_numbers
-        return 0 if is_lost else 2 * self.points * hold // of / 2
+        if self.verdict in NOTHING or not of or self.only_known_numbers:
+            return 0
+        return 2 * self.points * min(hold, of - 1) // of / 2
 
     @property
     def only_known_numbers(self) -> bool:
@@ -215,7 +217,7 @@ def verdict_of(verdicts: list[str], undone: list[str]) -> str:
     if "failed" in verdicts or not verdicts:
         return f"blocked by {undone[0]}" if undone else "failing"
     return next((verdict for verdict in verdicts if verdict.startswith(("blocked", "not run"))),
-                "not started")
+                "failing" if "passed" in verdicts else "not started")
 
 
 def claims(checks: list[Check]) -> tuple[int, int]:

@@ -1,5 +1,6 @@
 """Points by claims that hold: an exercise's share of them, and one sum in all that is written."""
 import csv
+import itertools
 
 import pytest
 from graded import check, entry, exercise, record, result, submission
@@ -29,7 +30,7 @@ def half_right(asked=COVER, verdict="failing", held=4, of=5, *more):
     (half_right(held=1), 0.5, (1, 5)),
     (half_right(held=0), 0, (0, 5)),
     (half_right(held=5, verdict="done"), 3, (5, 5)),
-    (half_right(held=5), 0, (5, 5)),  # its process was lost after that
+    (half_right(held=5), 2, (5, 5)),  # its process was lost after that
     (half_right(verdict="not started"), 0, (4, 5)),
     (half_right(verdict="blocked by 2.1"), 2, (4, 5)),
     (half_right(COVER, "failing", 1, 2, check("2.2", fine_print=True)), 1.5, (1, 2)),
@@ -47,6 +48,24 @@ def test_an_exercise_gives_the_share_of_its_claims_that_hold(found, reached, cla
     """
     assert (found.reached, found.claims) == (reached, claims)
     assert verdicts.points([found, found]) == (2 * reached, 6)
+
+
+VERDICTS = "passed", "failed", "not started", "not run", "blocked by 2.1"
+
+
+@pytest.mark.parametrize("spoilt", [False, True])
+def test_a_mark_only_rises_when_one_more_claim_holds(spoilt):
+    """Who mends one of two claims loses the points of the third, which was not begun. Or all claims
+    hold, the process ends badly, and there are fewer points than for all but one.
+    """
+    def reached(found):
+        checks = [check("2.2", str(k), one)._replace(drawn=k == 0) for k, one in enumerate(found)]
+        verdict = "failing" if spoilt else verdicts.verdict_of([*found], [])
+        return entry(COVER, verdict, *checks).reached
+
+    for found in itertools.product(VERDICTS, repeat=3):
+        for k in range(3):
+            assert reached(found) <= reached((*found[:k], "passed", *found[k + 1:])), found
 
 
 def test_all_that_is_written_has_the_same_half_points():
