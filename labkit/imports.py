@@ -55,26 +55,14 @@ def imports(text: str) -> tuple[Need, ...]:
 
 
 @functools.lru_cache(256)
-def replaced(text: str) -> tuple[str, ...]:
-    """The functions that are written, and again below, not written: there the last one counts."""
-    functions = [node for node in next(iter(nodes(text)), ast.Module([], [])).body
-                 if isinstance(node, ast.FunctionDef)]
-    last = {function.name: is_written(function) for function in functions}
-    return tuple(function.name for function in functions
-                 if is_written(function) and not last[function.name])
-
-
-def is_written(function):
-    """Whether a function has more than its question and a NotImplementedError."""
-    return len(function.body) > 2 or not isinstance(function.body[-1], ast.Raise)
-
-
-def pasted(topic: str, text: str) -> list[str]:
-    """A sentence, or none, on a lab that was pasted below itself."""
-    names = replaced(text)
+def pasted(topic: str, text: str) -> tuple[str, ...]:
+    """A sentence, or none, on a lab that was pasted below itself: the last functions count."""
+    written = [(node.name, len(node.body) > 2 or not isinstance(node.body[-1], ast.Raise))
+               for node in nodes(text) if isinstance(node, ast.FunctionDef)]
+    names = [name for name, is_it in written if is_it and not dict(written)[name]]
     more = f" and {len(names) - 1} more" * (len(names) > 1)
-    return [f"labs/{topic}.py has {name}{more} twice, and the last one counts, which is not "
-            "written: take out what was pasted below" for name in names[:1]]
+    return tuple(f"labs/{topic}.py has {name}{more} twice, and the last one counts, which is not "
+                 "written: take out what was pasted below" for name in names[:1])
 
 
 def imported(node):

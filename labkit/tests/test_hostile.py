@@ -23,7 +23,7 @@ HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.
 OTHER_POINTS = {
     0: {"exits_at_import", "exits_hard_at_import", "endless_import", "imports_the_reference",
-        "syntax_error", "deep_source", "missing_package"},
+        "deep_source"},
     2: {"asks_beside_the_point"},
     4: {"not_started", "asks_for_its_own_answer", "sets_attributes", "asks_much",
         "memory_between_questions"},
@@ -74,15 +74,11 @@ def hand_in_no_files(folder, outside):
         "zip_of_a_link.zip": zipped([(link, f"{outside}/secret.py")]),
         "zip_bomb.zip": {"labs/transforms.py": bytes(1 << 28)},
         "zip_of_many.zip": {f"{number}.txt": "" for number in range(6000)} | lab,
-        "zip_that_is_none.zip": b"PK\3\4 and nothing more",
         "zip_cut_short.zip": zipped(lab.items())[:-30],
         **{f"other_files/{name}": "raise SystemExit" for name in (
             "conftest.py", "labs/numpy.py", "labs/sitecustomize.py", "reference/transforms.py")},
         "other_files/labs/transforms.py": LAB,
-        "not_utf8/labs/transforms.py": LAB.encode() + b"# caf\xe9\n",
-        "null_bytes/labs/transforms.py": LAB + "\0",
-        "too_long/labs/transforms.py": LAB + "#" * (1 << 19),
-        "missing_file/labs/notes.txt": "I forgot."})
+        "null_bytes/labs/transforms.py": LAB + "\0"})
     for name in ("link_to_a_file/labs", "link_to_a_folder", "pipe"):
         (folder / name).mkdir(parents=True)
     (folder / "link_to_a_file/labs/transforms.py").symlink_to(outside / "secret.py")

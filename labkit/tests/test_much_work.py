@@ -52,15 +52,13 @@ def test_no_answer_is_much_work(form, number, monkeypatch, tmp_path):
 
         return call
 
-    class Answering:
-        def pytest_configure(self, config):
-            config.stash[loader.FIND] = find
+    def answering(config):
+        config.stash[loader.FIND] = find
 
-    topic, = (topic for topic in exercises.asking_topics()
-              for one in exercises.topic_exercises(topic) if one.number == number)
+    labs, _ = exercises.asked_for(number)
     before, begun = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
-    found, _ = runner.run_checks({topic: exercises.topic_exercises(topic)}, [number], "labs", 0,
-                                 [Answering()])
+    found, _ = runner.run_checks(labs, [number], "labs", 0,
+                                 [types.SimpleNamespace(pytest_configure=answering)])
     taken = time.process_time() - begun
     more = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
     print(f"{form}, {number}: {taken:.2f} s, {more >> 10} MB, {len(found)} checks")

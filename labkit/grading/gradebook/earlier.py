@@ -37,15 +37,12 @@ def works(out, topics, seed_of) -> tuple[dict, list[str]]:
     found, gone, first = {}, [], {}
     for path in sorted(out.glob("students/*/record.json")):
         student, record = path.parent.name, read(path)
-        if not record:
-            gone.append(student)
-            continue
-        kept = texts.of(out, first.setdefault(record.work.group or student, student))
-        if seed_of(kept) == record.how.seed:
-            missing = {topic: contents.ABSENT.format(topic) for topic in topics} | {
-                topic: why for topic, why in record.result.missing.items() if topic in topics}
+        group = (record and record.work.group) or student
+        kept = texts.of(out, first.setdefault(group, student))
+        if record and seed_of(kept) == record.how.seed:
             found[student] = record.work._replace(texts=kept, missing={
-                topic: why for topic, why in missing.items() if topic not in kept})
+                topic: record.result.missing.get(topic, contents.ABSENT.format(topic))
+                for topic in topics if topic not in kept})
         else:
             gone.append(student)
     return found, gone

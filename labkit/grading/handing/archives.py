@@ -54,16 +54,13 @@ def read(path, topics) -> tuple[dict, dict, list]:
     return *texts_of(labs, topics, notes), notes
 
 
-def zipped(files, programs=()) -> bytes:
-    """Pairs (name, content) -> a zip of them: from the same files, the same bytes.
-
-    programs: the names of those that can be run.
-    """
+def zipped(files) -> bytes:
+    """Pairs (name, content) -> a zip of them: from the same files, the same bytes."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:
         for name, part in files:
             entry = zipfile.ZipInfo(name)
-            entry.external_attr = (0o100755 if name in programs else 0o100644) << 16
+            entry.external_attr = 0o100644 << 16
             archive.writestr(entry, part, zipfile.ZIP_DEFLATED)
     return content.getvalue()
 
