@@ -11,7 +11,6 @@ from rich.console import Console
 from rich.progress import track
 
 from .. import exercises, places
-from ..table import COMMAND
 from .apart import running, sandbox, typed_json
 from .apart.jobs import Job, failure
 from .gradebook import earlier, lateness, people
@@ -26,27 +25,31 @@ def run(request: Request) -> int:
     request, said = recalled(request)
     if said:
         print(said, flush=True)
-    topics = exercises.topics_of(request.labs)
-    require_whole(topics)
+    topics, columns = asked_for(request)
     limits = limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
     seed_of = functools.partial(own_seed, request.seed)
-    columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
-               if exercise.points and (request.extra or not exercise.is_extra)]
     kept, lost = earlier.works(Path(request.out), topics, seed_of)
     handed_in, persons, not_understood = read(request, topics, kept, lost)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
     book = Gradebook(request, works, columns, persons)
-    counting = [each for one in handed_in for each in book.counting(
-        book.with_earlier(one, kept.get(one.student)), request.count)]
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
-    print(*said_before(results), sep="\n")
     todo = [(one, Job(one.texts, one.missing, level, seed_of(one.texts), limits,
-                      bool(request.extra))) for one in counting]
+                      bool(request.extra))) for each in handed_in
+            for one in book.counting(each, kept.get(each.student), request.count)]
     return grade_all(request, topics, todo, before, results)
+
+
+def asked_for(request):
+    """-> (topics, the exercises that count). ValueError: something that decides marks is missing.
+    """
+    topics = exercises.topics_of(request.labs)
+    require_whole(topics)
+    return topics, [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
+                    if exercise.points and (request.extra or not exercise.is_extra)]
 
 
 def read(request, topics, kept, lost):
@@ -79,6 +82,7 @@ def said_before(results):
 def grade_all(request, topics, todo, before, results):
     """Examine what is to be done, keep the rest, write all results -> the exit status."""
     students, started = list(dict.fromkeys(one.student for one, _ in todo)), time.monotonic()
+    print(*said_before(results), sep="\n")
     if request.resume:
         todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]
     for record in before:
@@ -87,25 +91,20 @@ def grade_all(request, topics, todo, before, results):
         asks = rehearsed(topics, todo[0][1], request.jobs)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     remember(request)
-    examine(request, todo, results)
-    files = results.close()
+    files = examine(request, todo, results)
     failed = {name: problem for name in students
               if (problem := results.records[name].result.problem)}
     graded = len({one.student for one, _ in todo})
     print(f"{graded} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - graded} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    if old := [name for name, record in results.records.items()
-               if record.how.checks != results.run.checks[:12]]:
-        print(f"graded by other checks than today's: {', '.join(old)}; {COMMAND} grade --out "
-              f"{request.out} grades again all that is in the tables")
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.changed(),
-          *files, sep="\n")
+    print(*results.said_of_checks(), *(f"{name}: {problem}" for name, problem in failed.items()),
+          *results.changed(), *files, sep="\n")
     return int(bool(failed))
 
 
 def examine(request, todo, results):
-    """Examine [(submission, its job)], and write each result when it is there."""
+    """Examine [(submission, its job)], write each result when it is there -> all tables' paths."""
     for one, job in todo:
         if one.problem:
             results.add(one, job.seed, "", failure(one.problem), {})
@@ -115,6 +114,7 @@ def examine(request, todo, results):
         for group, job, (result, pictures) in progress(steps, len(works)):
             for one in group:
                 results.add(one, job.seed, fingerprint(job), result, pictures)
+    return results.close()
 
 
 def together(todo):

@@ -11,6 +11,7 @@ import shutil
 from typing import NamedTuple
 
 from .. import places
+from ..table import COMMAND
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
@@ -117,6 +118,13 @@ class Results:
         for student, before in self.before.items():
             if before:
                 yield from worth.changes(before, self.records[student])
+
+    def said_of_checks(self):
+        """Yield a sentence, or none, on rows that are older than the course."""
+        if old := [name for name, record in self.records.items()
+                   if record.how.checks != self.run.checks[:12]]:
+            yield (f"graded by other checks than today's: {', '.join(old)}; {COMMAND} grade --out "
+                   f"{self.out} grades again all that is in the tables")
 
     def changed(self):
         """Sentences on those who have other points in the end than before."""

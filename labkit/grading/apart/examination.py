@@ -171,8 +171,8 @@ class Examination:
         if self.opened == self.running:
             return
         self.finish()
-        is_new = self.worker is None
-        self.worker = self.worker or self.start(self.own)
+        reused = self.worker
+        self.worker = reused or self.start(self.own)
         modules = (*map(self.earlier_lab, before_it(topic)),
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
@@ -181,13 +181,12 @@ class Examination:
             self.outcome(topic, None, message, [])
             self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
-            if isinstance(error, sandbox.Lost) and not is_new:  # what another exercise has left
-                self.forget()
-                return self.open(topic)
-            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
-            self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             if isinstance(error, sandbox.Lost):
                 self.forget()
+                if reused:  # for what another exercise has left
+                    return self.open(topic)
+            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
+            self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             raise Mismatch(("wrong", self.missing[topic])) from None
 
     def earlier_lab(self, topic):

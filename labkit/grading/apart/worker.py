@@ -94,7 +94,6 @@ def main():
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
-    builtins.exit = builtins.quit = sys.exit  # as at home, where `site` makes them
     sys.meta_path.append(Packages(sys.argv[1]))
     import wire
     sys.path.pop(0)
@@ -290,4 +289,5 @@ def known_error(name):
 
 
 if __name__ == "__main__":
+    builtins.exit = builtins.quit = sys.exit  # as at home, where `site` makes them
     main()

@@ -64,8 +64,11 @@ class Gradebook:
         return one if late or not self.is_late(one) else one._replace(
             handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
 
-    def counting(self, one, count) -> list:
-        """The Submissions of a student, of which the best counts. count: as in the Request."""
+    def counting(self, one, kept, count) -> list:
+        """The Submissions of a student, of which the best counts. kept: as for `with_earlier`,
+        count: as in the Request.
+        """
+        one = self.with_earlier(one, kept)
         if count == "best":
             return [*one.others, one]
         in_time = [each for each in (*one.others, one) if not self.is_late(each)]

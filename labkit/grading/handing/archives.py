@@ -138,10 +138,7 @@ def chosen(entries, name, notes):
         labs[topic] = Lab(when, quoted(entry), careful(content))
         folders[place.parent] = None
     own = beside(labs, folders, places)
-    taken = {lab.source for lab in (*labs.values(), *own.values())}
-    for topic, found in there.items():
-        notes += passed_over(labs[topic].source, [other for *_, other, _, _ in found
-                                                  if quoted(other) not in taken])
+    notes += passed_over(labs, own, there)
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
         notes.append(f"{quoted(name)} {what}")
@@ -163,10 +160,12 @@ def beside(labs, folders, places):
     return found
 
 
-def passed_over(taken, names):
-    """A sentence, or none, on the files that could have been taken in place of this one."""
-    if names:
-        yield f"{taken} was taken, not {few(names)}"
+def passed_over(labs, own, there):
+    """Yield a sentence on each lab in whose place others could have been taken: there {topic: }."""
+    taken = {lab.source for lab in (*labs.values(), *own.values())}
+    for topic, found in there.items():
+        if left := [other for *_, other, _, _ in found if quoted(other) not in taken]:
+            yield f"{labs[topic].source} was taken, not {few(left)}"
 
 
 def newest(found, notes) -> dict[str, Lab]:

@@ -107,20 +107,13 @@ def submission(name, found, topics, groups):
     """The newest file of each lab that a student has handed in. What was there before as well
     counts from then on. groups {path: its group}.
     """
-    every, budget, problem = [], archives.Budget(), ""
-    found = sorted(found, key=lambda one: one[0].order, reverse=True)
-    for sender, path in found:
-        notes = []
-        there, inside = {}, f"{path.name}/" if len(found) > 1 and path.is_dir() else ""
-        try:
-            there = archives.labs_in(path, path.name, notes, budget)
-        except PermissionError as error:
-            problem = (f"{archives.quoted(path.name)} cannot be read here "
-                       f"({archives.reason(error)}): allow yourself to read it, and grade again")
-        every.append((sender, path, notes, {
-            topic: lab._replace(when=(sender.order, lab.when),
-                                source=archives.quoted(inside + lab.source))
-            for topic, lab in there.items()}))
+    try:
+        every, problem = list(opened(found)), ""
+    except PermissionError as error:
+        every = [(*one, [], {}) for one in found]
+        names = archives.few([path.name for _, path in found])
+        problem = (f"{names} cannot be read here ({archives.reason(error)}): allow yourself to "
+                   "read it, and grade again")
     newest, *before = (at_a_time(name, every[k:], topics, groups)
                        for k in range(min(len(every), MOST_TIMES)))
     first = {}
@@ -132,6 +125,17 @@ def submission(name, found, topics, groups):
         missing=newest.missing, digest=newest.digest, problem=problem,
         others=tuple(first.values()),
         notes=(*newest.notes, *again * bool(newest.texts)))
+
+
+def opened(found):
+    """Yield (sender, path, notes, labs) of what a student has handed in, the newest first."""
+    budget = archives.Budget()
+    for sender, path in sorted(found, key=lambda one: one[0].order, reverse=True):
+        notes, inside = [], f"{path.name}/" if len(found) > 1 and path.is_dir() else ""
+        yield sender, path, notes, {
+            topic: lab._replace(when=(sender.order, lab.when),
+                                source=archives.quoted(inside + lab.source))
+            for topic, lab in archives.labs_in(path, path.name, notes, budget).items()}
 
 
 def at_a_time(name, every, topics, groups):
