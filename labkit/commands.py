@@ -48,7 +48,6 @@ def whole_number(least, most=None):
     return read
 
 
-GRADED = option("--labs", metavar="1-4", help="grade these labs; without, all of them")
 SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
 TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
@@ -130,18 +129,12 @@ def solutions(asked):
     return handout.release(asked.labs, asked.file)
 
 
-@command(TEACH, "autograder FILE", option("file", metavar="FILE", help="the zip's name"), GRADED)
-def autograder(asked):
-    """Write the zip that Gradescope takes as an assignment's autograder."""
-    from .grading import autograder
-    return autograder.gradescope(asked.file, asked.labs)
-
-
 @command(
-    TEACH, "grade SUBMISSIONS",
-    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files"),
+    TEACH, "grade [SUBMISSIONS]",
+    option("submissions", nargs="?", metavar="SUBMISSIONS",
+           help="a folder of folders, zips or single files; without, what DIR keeps, again"),
     option("--out", required=True, metavar="DIR", help="where reports and tables are written"),
-    GRADED,
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them"),
     option("--jobs", type=whole_number(1), metavar="N",
            help="how many at a time; without, one for each core"),
     option("--resume", action="store_true", help="keep results of the same work and checks"),
@@ -160,6 +153,8 @@ def autograder(asked):
                                          "2026-11-22T23:59+01:00"),
     option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun"),
     option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d"),
+    option("--count", choices=("newest", "last-on-time", "best"),
+           help="which counts of several hand-ins; without, the newest"),
     option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason"),
     option("--people", metavar="FILE",
            help="groups, and due times of single students: student,group,due"),

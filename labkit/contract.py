@@ -55,9 +55,12 @@ def mapped(function, value):
 
 
 def as_array(value):
-    """The value as an array. What makes none comes as an array of objects, as None does."""
+    """The value as an array. What makes none comes as an array of objects, as None does. An array
+    of objects that are numbers is one of numbers.
+    """
     try:
-        return np.asarray(value)
+        array = np.asarray(value)
+        return np.asarray(array.tolist()) if array.dtype == object else array
     except ValueError:  # rows of different lengths
         return np.array(None)
 

@@ -4,6 +4,7 @@ Students may put modules of their own beside the labs. Those that labs import, a
 in turn, are handed in and graded with them. Each is one file, with a name that no lab has.
 """
 import ast
+import contextlib
 import functools
 import re
 import sys
@@ -19,6 +20,7 @@ PACKAGE = "labs"
 GIVEN_PACKAGES = {".".join(name.split(".")[:depth])  # those of what is given: course, course.given
             for name in GIVEN for depth in range(1, name.count(".") + 1)}
 MOST = 16  # modules of one student's own
+MOST_OWN = 1 << 15  # bytes of each: these are sent together
 NAME = re.compile(r"(?!__)[a-zA-Z_]\w{0,59}", re.ASCII)
 LONGEST_PATH = 100
 
@@ -52,6 +54,17 @@ def imports(text: str) -> tuple[Need, ...]:
                                for node in every for name in imported(node)))
 
 
+@functools.lru_cache(256)
+def pasted(topic: str, text: str) -> tuple[str, ...]:
+    """A sentence, or none, on a lab that was pasted below itself: the last functions count."""
+    written = [(node.name, len(node.body) > 2 or not isinstance(node.body[-1], ast.Raise))
+               for node in nodes(text) if isinstance(node, ast.FunctionDef)]
+    names = [name for name, is_it in written if is_it and not dict(written)[name]]
+    more = f" and {len(names) - 1} more" * (len(names) > 1)
+    return tuple(f"labs/{topic}.py has {name}{more} twice, and the last one counts, which is not "
+                 "written: take out what was pasted below" for name in names[:1])
+
+
 def imported(node):
     """The modules that a node of a syntax tree imports."""
     if isinstance(node, ast.Import):
@@ -82,16 +95,21 @@ def own_modules(texts: Iterable[str], read: Callable) -> dict[str, str]:
 
 def text_in(folder: Path, name: str) -> str | None:
     """The text of a module in a folder, whatever its bytes are. None: there is none."""
-    try:
+    with contextlib.suppress(OSError):
         return (folder / f"{name}.py").read_bytes().decode("utf-8", "replace")
-    except OSError:
-        return None
+
+
+def text_taken(folder: Path, name: str) -> str | None:
+    """The text of a student's module. None: there is none, or it cannot be handed in."""
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        content = (folder / f"{name}.py").read_bytes()
+        return content.decode("utf-8") if len(content) <= MOST_OWN else None
 
 
 def not_there(topic: str, folder: Path) -> list[tuple[Path, Need]]:
     """What a lab and the student's modules that it imports need, and do not have in grading."""
     lab = text_in(folder, topic) or ""
-    texts = {topic: lab} | own_modules([lab], functools.partial(text_in, folder))
+    texts = {topic: lab} | own_modules([lab], functools.partial(text_taken, folder))
     return [(folder / f"{name}.py", need) for name, text in texts.items()
             for need in (*imports(text), *files(text, folder))
             if need.is_file or not is_there(need.what, topic, texts)]

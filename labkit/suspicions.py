@@ -16,6 +16,7 @@ from .contract import as_array
 TRUTHS = 4  # truth values say as much as one number
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
+HALF_DIGITS = 2e-3  # about that of float16, after a few sums
 ANYWHERE = " in all that is wrong"  # here and there, which may be chance
 COMMON_FACTORS = ((2, ", twice as much: a factor of 2 too many"),
                   (0.5, ", half of it: a factor of 2 is missing"),
@@ -242,12 +243,13 @@ def imprecise(got, expected):
         return
     error = np.abs(got - expected) / np.abs(expected).max(initial=0)
     single = np.complex64 if got.dtype.kind == "c" else np.float32
-    if np.all(error < DIGITS):
-        if np.all(got == single(got)):
-            yield "float32 is not precise enough; compute in float64"
-        elif np.median(error) > 1e-11:
-            yield ("it is right to seven digits or so: something is computed in float32, or as a "
-                   "finite difference")
+    half = [("float16", np.float16, HALF_DIGITS)] * (got.dtype.kind == "f")
+    for name, kind, most in *half, ("float32", single, DIGITS):
+        if np.all(error < most) and np.all(got == kind(got)):
+            yield f"{name} is not precise enough; compute in float64"
+    if np.all(error < DIGITS) and np.median(error) > 1e-11:
+        yield ("it is right to seven digits or so: something is computed in float32, or as a "
+               "finite difference")
 
 
 def in_a_part(got, expected, wrong, agrees, inputs):

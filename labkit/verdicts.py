@@ -16,7 +16,7 @@ from .checks.showing import plural
 from .table import COMMAND
 
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
-             "modules in labs/, one file each: from .norms import norm")
+             "modules in labs/, one file each of at most 32 kB of UTF-8: from .norms import norm")
 KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
 NOTHING = "not started", "not readable"  # verdicts that give no points, whatever claims hold
 
@@ -52,14 +52,16 @@ class Entry(NamedTuple):
     def reached(self) -> float:
         """Its points by the share of its question's claims that hold, down to half points.
 
-        All of them only where it is done: else one can be lost after its claims have held. None if
-        no claim holds whose numbers are drawn: all others can be typed in from the checks.
+        All of them only where it is done: one whose process is lost after all claims have held
+        has the points of all but one. None if no claim holds whose numbers are drawn: all others
+        can be typed in from the checks.
         """
         hold, of = self.claims
         if self.verdict == "done":
             return self.points
-        is_lost = self.verdict in NOTHING or hold == of or self.only_known_numbers
-        return 0 if is_lost else 2 * self.points * hold // of / 2
+        if self.verdict in NOTHING or not of or self.only_known_numbers:
+            return 0
+        return 2 * self.points * min(hold, of - 1) // of / 2
 
     @property
     def only_known_numbers(self) -> bool:
@@ -150,6 +152,7 @@ def not_there(labs, code):
     warnings, losses = [], []
     for topic, lab in labs.items():
         worth = sum(one.points for one in lab if not one.is_extra)
+        warnings += imports.pasted(topic, imports.text_in(code, topic) or "")
         for path, need in imports.not_there(topic, code):
             costs = need.at_the_top and worth
             so = f", so {topic}.py would lose all its {plural(worth, 'point')}" if costs else ""
@@ -214,7 +217,7 @@ def verdict_of(verdicts: list[str], undone: list[str]) -> str:
     if "failed" in verdicts or not verdicts:
         return f"blocked by {undone[0]}" if undone else "failing"
     return next((verdict for verdict in verdicts if verdict.startswith(("blocked", "not run"))),
-                "not started")
+                "failing" if "passed" in verdicts else "not started")
 
 
 def claims(checks: list[Check]) -> tuple[int, int]:

@@ -7,8 +7,9 @@ named only where a student's answer fails the same checks with the same numbers,
 """
 import functools
 import hashlib
+import itertools
 import json
-import math
+import operator
 import re
 from typing import NamedTuple
 
@@ -24,6 +25,7 @@ HINTS = ROOT / "tests" / "labs" / "hints.json"
 WHOLE = "whole"
 OTHER = "other"         # the fingerprint where inputs are not those of the known mistakes
 MOST = 1 << 18          # numbers that a fingerprint is taken of
+MOST_MADE = 1 << 20     # numbers and lists, of which each row is one, that it makes of an answer
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 WHY = r"[,;:] (?![^\[]*\]).*$"  # of a suspicion: a comma in [..., 1] ends nothing
 PLACE = r"( in \[[^\]]*\]| in all that is wrong| where [^,;:]*)"
@@ -202,22 +204,28 @@ def fingerprint_and_count(nodeid, returned, compared=None):
     """
     if compared and compared.got.size >= ENOUGH and place_in(returned, compared.got) is None:
         returned = compared.got
-    if returned is None or count(returned) > MOST:
+    if returned is None or count(returned) > MOST or made(returned) > MOST_MADE:
         return None, 0
     return fingerprint(nodeid, returned), count(returned)
 
 
 def count(returned):
     """How many numbers or letters were returned; TRUTHS truth values say as much as one number."""
-    outputs = returned if isinstance(returned, tuple) else (returned,)
-    return sum(count(output) if isinstance(output, tuple) else
-               size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
-               for output in outputs)
+    return sum(np.size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
+               for output in outputs(returned))
 
 
-def size(output):
-    """The numbers in an array. Its rows count as well: without numbers, they are lists still."""
-    return math.prod(max(n, 1) for n in np.shape(output))
+def made(returned):
+    """The numbers and lists that a fingerprint makes. An axis of length 1 is a list of each number.
+    """
+    return sum(sum(itertools.accumulate((max(n, 1) for n in np.shape(output)), operator.mul))
+               for output in outputs(returned))
+
+
+def outputs(returned):
+    """Yield what was returned, and of tuples, also in tuples, what is in them."""
+    for output in returned if isinstance(returned, tuple) else (returned,):
+        yield from outputs(output) if isinstance(output, tuple) else (output,)
 
 
 def fingerprint(nodeid, returned):

@@ -10,7 +10,6 @@ a worker, a process in a sandbox that is sent names of functions and arrays and 
     request      what is asked of `grade`
     results      writes all of these, as they come
     grade        a class: what is asked for, and in which order it is done
-    autograder   what Gradescope gets. See files/
 
 README.md beside this file is for the instructor: a term, and what is not protected.
 """

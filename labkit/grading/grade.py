@@ -1,5 +1,6 @@
 """A class's submissions: what is asked for, and in which order it is done."""
 import contextlib
+import functools
 import hashlib
 import os
 import sys
@@ -11,7 +12,7 @@ from rich.progress import track
 
 from .. import exercises, places
 from .apart import running, sandbox, typed_json
-from .apart.jobs import Job
+from .apart.jobs import Job, failure
 from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
 from .handing import contents, submissions
@@ -24,30 +25,46 @@ def run(request: Request) -> int:
     request, said = recalled(request)
     if said:
         print(said, flush=True)
-    topics = exercises.topics_of(request.labs)
-    require_whole(topics)
+    topics, columns = asked_for(request)
     limits = limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
-    columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
-               if exercise.points and (request.extra or not exercise.is_extra)]
-    handed_in, persons, not_understood = read(request, topics)
+    seed_of = functools.partial(own_seed, request.seed)
+    kept, lost = earlier.works(Path(request.out), topics, seed_of)
+    handed_in, persons, not_understood = read(request, topics, kept, lost)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
     book = Gradebook(request, works, columns, persons)
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
-    print(*said_before(results), sep="\n")
-    todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
-                      bool(request.extra))) for one in handed_in]
+    todo = [(one, Job(one.texts, one.missing, level, seed_of(one.texts), limits,
+                      bool(request.extra))) for each in handed_in
+            for one in book.counting(each, kept.get(each.student), request.count)]
     return grade_all(request, topics, todo, before, results)
 
 
-def read(request, topics):
-    """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
+def asked_for(request):
+    """-> (topics, the exercises that count). ValueError: something that decides marks is missing.
+    """
+    topics = exercises.topics_of(request.labs)
+    require_whole(topics)
+    return topics, [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
+                    if exercise.points and (request.extra or not exercise.is_extra)]
+
+
+def read(request, topics, kept, lost):
+    """-> (submissions, one for each student; lines of people.csv; what was not understood).
+
+    kept, lost: of earlier.works. They are all that there is where no folder was handed in.
+    """
     zone = lateness.zone(request.due)
     persons = people.read(request.people, zone) if request.people else []
-    handed_in, not_understood = submissions.read(request.submissions, topics)
+    if request.submissions is None and (lost or not kept):
+        raise ValueError(f"{request.out} does not keep what was handed in"
+                         f"{' by ' * bool(lost)}{', '.join(lost)}, as the tables show it: name the "
+                         "folder with the submissions")
+    handed_in, not_understood = (submissions.read(request.submissions, topics)
+                                 if request.submissions else (list(kept.values()), []))
     return people.with_members(handed_in, persons), persons, not_understood
 
 
@@ -64,35 +81,40 @@ def said_before(results):
 
 def grade_all(request, topics, todo, before, results):
     """Examine what is to be done, keep the rest, write all results -> the exit status."""
-    students, started = [one.student for one, _ in todo], time.monotonic()
+    students, started = list(dict.fromkeys(one.student for one, _ in todo)), time.monotonic()
+    print(*said_before(results), sep="\n")
     if request.resume:
-        todo = [(one, job) for one, job in todo if not results.keep(one.student, fingerprint(job))]
+        todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]
     for record in before:
-        results.take(record)
+        results.take(record, record.work)
     if todo:
         asks = rehearsed(topics, todo[0][1], request.jobs)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     remember(request)
-    examine(request, todo, results)
-    files = results.close()
+    files = examine(request, todo, results)
     failed = {name: problem for name in students
               if (problem := results.records[name].result.problem)}
-    print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
+    graded = len({one.student for one, _ in todo})
+    print(f"{graded} submissions graded in {time.monotonic() - started:.1f} s, "
+          f"{len(students) - graded} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.changed(),
-          *files, sep="\n")
+    print(*results.said_of_checks(), *(f"{name}: {problem}" for name, problem in failed.items()),
+          *results.changed(), *files, sep="\n")
     return int(bool(failed))
 
 
 def examine(request, todo, results):
-    """Examine [(submission, its job)], and write each result when it is there."""
-    works = together(todo)
+    """Examine [(submission, its job)], write each result when it is there -> all tables' paths."""
+    for one, job in todo:
+        if one.problem:
+            results.add(one, job.seed, "", failure(one.problem), {})
+    works = together([(one, job) for one, job in todo if not one.problem])
     examined = running.examined(works, request.jobs or os.cpu_count())
     with contextlib.closing(examined) as steps:
         for group, job, (result, pictures) in progress(steps, len(works)):
             for one in group:
                 results.add(one, job.seed, fingerprint(job), result, pictures)
+    return results.close()
 
 
 def together(todo):

@@ -14,13 +14,13 @@ from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
 KEPT = ("labs", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
-        "overrides", "people", "all_or_nothing")
+        "overrides", "people", "all_or_nothing", "count")
 
 
 class Request(NamedTuple):
     """The options of `grade`, as they were given. None: not given."""
 
-    submissions: str
+    submissions: str | None   # None: what the folder out keeps, again
     out: str
     labs: str | None = None
     jobs: int | None = None      # at a time; None: one for each core
@@ -38,6 +38,7 @@ class Request(NamedTuple):
     overrides: str | None = None
     people: str | None = None
     all_or_nothing: bool | None = None  # not by the share of claims that hold
+    count: str | None = None  # of several hand-ins: newest, last-on-time or best
 
 
 def recalled(request) -> tuple[Request, str]:

@@ -11,6 +11,7 @@ import shutil
 from typing import NamedTuple
 
 from .. import places
+from ..table import COMMAND
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
@@ -34,7 +35,8 @@ class Results:
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
-        self.changes = []      # of `worth.changes`, since the last run
+        self.works = {}        # {student: the Submission}
+        self.before = {}       # {student: the Record of the last run}
         self.unusual = ()      # of `unusual.by_student`, once all are there
 
     def forget(self, students):
@@ -43,25 +45,35 @@ class Results:
             shutil.rmtree(self.folder(student))
             shutil.rmtree(self.out / "code" / student, ignore_errors=True)
 
-    def keep(self, student, fingerprint) -> bool:
+    def keep(self, one, fingerprint) -> bool:
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
-        record = earlier.read(self.folder(student) / "record.json")
+        record = earlier.read(self.folder(one.student) / "record.json")
         if not record or record.how.fingerprint != fingerprint or record.result.problem:
             return False
-        self.take(record)
+        self.take(record, one)
         return True
 
-    def take(self, record):
+    def take(self, record, one):
         """Take over a result. Its pages are written again if its grade is another one."""
-        entered = self.records[record.work.student] = self.book.entered(record)
-        if entered != record:
-            pictures = self.folder(record.work.student).glob("pictures/*.png")
+        entered = self.book.entered(record._replace(work=one))
+        if self.count(one, entered) and entered != record:
+            pictures = self.folder(one.student).glob("pictures/*.png")
             self.write_student(entered, {path.name: path.read_bytes() for path in pictures})
+
+    def count(self, one, record) -> bool:
+        """Enter a Submission and its record, if no better one of this student's is there."""
+        other = self.records.get(one.student)
+        better = other is None or worth.rank(record) > worth.rank(other)
+        if better:
+            self.records[one.student], self.works[one.student] = record, one
+        return better
 
     def add(self, one, seed, fingerprint, result, pictures):
         """Write what belongs to one student, and the tables."""
         how = How(self.run.level, seed, self.run.checks[:12], fingerprint)
         record = self.book.entered(Record(one, how, result))
+        if not self.count(one, record):
+            return
         try:
             self.write_pictures(one.student, pictures)
             self.write_student(record, pictures)
@@ -82,8 +94,7 @@ class Results:
 
     def write_student(self, record, pictures):
         folder = self.folder(record.work.student)
-        if before := earlier.read(folder / "record.json"):
-            self.changes += worth.changes(before, record)
+        self.before.setdefault(record.work.student, earlier.read(folder / "record.json"))
         if not record.result.problem:
             page = report.page(record, pictures, self.run.about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
@@ -95,22 +106,35 @@ class Results:
         table = tables.grades(records, self.run.columns)
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
-        changes = [("student", "exercise", "before", "now", "why"), *self.changes]
+        changes = [("student", "exercise", "before", "now", "why"), *self.changes()]
         places.write_whole(self.out / "changes.csv", sheets.written(changes))
         page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
                                  self.run.not_understood, self.unusual,
                                  len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
 
+    def changes(self):
+        """Yield `worth.changes` since the last run."""
+        for student, before in self.before.items():
+            if before:
+                yield from worth.changes(before, self.records[student])
+
+    def said_of_checks(self):
+        """Yield a sentence, or none, on rows that are older than the course."""
+        if old := [name for name, record in self.records.items()
+                   if record.how.checks != self.run.checks[:12]]:
+            yield (f"graded by other checks than today's: {', '.join(old)}; {COMMAND} grade --out "
+                   f"{self.out} grades again all that is in the tables")
+
     def changed(self):
         """Sentences on those who have other points in the end than before."""
         return [f"{student}: {now or 'no'} points, {before or 'none'} before: {why}"
-                for student, what, before, now, why in self.changes if what == worth.LEFT]
+                for student, what, before, now, why in self.changes() if what == worth.LEFT]
 
     def close(self) -> list:
         """Write what needs all results -> the paths of all tables."""
         files = self.book.write(self.out, self.records)
-        self.unusual = unusual.by_student(texts.kept(self.out, self.book.handed_in.values()))
+        self.unusual = unusual.by_student(texts.kept(self.out, self.works.values()))
         self.write_tables()
         handback.write(self.out, [self.records[name] for name in sorted(self.records)])
         names = "grades.csv", "changes.csv", "index.html", "feedback.zip"

@@ -25,7 +25,11 @@ def short(array):
     return shortened if np.array_equal(shortened, array, equal_nan=kind == np.float32) else array
 
 
-FORMS = itertools.cycle([np.ndarray.tolist, by_columns, short])
+def objects(array):
+    return array.astype(object)
+
+
+FORMS = itertools.cycle([np.ndarray.tolist, by_columns, short, objects])
 
 
 def formed(returned, form):

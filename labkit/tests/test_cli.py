@@ -53,7 +53,6 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("handout new --labs 2 --after 1 --extra", "grading.handing.handout.run", ("new", "2", None),
      {"extra": True, "after": "1"}),
     ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
-    ("autograder a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
      "--seconds 3 --extra", "grading.grade.run",
      (Request("in", "out", "1", 2, True, 7, "process", 3.0, True),), {}),

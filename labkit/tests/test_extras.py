@@ -98,6 +98,8 @@ def test_a_released_solution_is_put_in_when_asked_for(root, lab, run):
         "course: 1.1 has no extra; what belongs to the core is open from the start")
     assert run("close", "1-1", "--core") == "1.1 double is complete"
     assert lab.read_text() == REFERENCE
+    assert run("close", "1", "--core") == "1.1 double is complete already"
+    assert run("close", "1.2", "--core", status=2) == "course: 1.2 has no extra that is open"
     shutil.rmtree(root / "reference")
     lab.write_text(LAB)
     assert run("close", "1", "--core") == (

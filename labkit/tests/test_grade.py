@@ -1,7 +1,5 @@
 """Grading a class: tables and reports, what is kept, what a student is told, Gradescope."""
-import json
 import shutil
-import subprocess
 import sys
 import zipfile
 
@@ -23,6 +21,7 @@ from submitted import put
 from labkit import exercises
 from labkit.grading import grade
 from labkit.grading.apart import running, sandbox
+from labkit.grading.handing import archives
 from labkit.grading.request import Request
 from labkit.lab_text import skeleton
 
@@ -188,16 +187,24 @@ def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
             raise RuntimeError("boom")
         return result(entry(exercise("1.1", "f", 2), "done", topic="transforms")), {}
 
+    def opened(path, budget):
+        if path.name.startswith("fay"):
+            raise PermissionError(13, "Permission denied")
+        return archives.Paid(path, budget)
+
     monkeypatch.setattr(running, "examine", examine)
-    hand_in(tmp_path, ada="x", bob="boom", eve="x", zoe="x")
+    monkeypatch.setattr(archives, "opened", opened)
+    hand_in(tmp_path, ada="x", bob="boom", eve="x", fay="x", zoe="x")
     put(tmp_path / "out", {"students/eve": "a file where a folder should be"})
     request = Request(tmp_path / "in", tmp_path / "out", "1", isolation="process")
     assert grade.run(request) == 1
     table = grades(tmp_path / "out")
-    assert [row["total"] for row in table.values()] == ["2", "", "", "2"]
+    assert [row["total"] for row in table.values()] == ["2", "", "", "", "2"]
     assert table["bob"]["problem"] == "the examination broke off: RuntimeError: boom"
     assert "its results cannot be written" in table["eve"]["problem"]
-    assert "2 could not be graded" in capsys.readouterr().out
+    assert table["fay"]["problem"] == ("fay_transforms.py cannot be read here (Permission denied): "
+                                       "allow yourself to read it, and grade again")
+    assert "3 could not be graded" in capsys.readouterr().out
 
 
 def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
@@ -235,12 +242,10 @@ def test_a_copy_without_what_decides_marks_grades_nobody(
     else:
         put(course, {path: CHECKS})
     hand_in(tmp_path, ada=LAB)
-    for command in (("grade", tmp_path / "in", "--out", tmp_path / "out"),
-                    ("autograder", tmp_path / "out")):
-        done = run_module(course, "course", *command)
-        assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
-        assert f"{path} {sentence}" in done.stderr
-        assert not list((tmp_path / "out").glob("*.*"))
+    done = run_module(course, *grade_command(tmp_path))
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+    assert f"{path} {sentence}" in done.stderr
+    assert not list((tmp_path / "out").glob("*.*"))
 
 
 def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
@@ -279,26 +284,3 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
     assert grades(graded[0])["ada"]["hash"] in done.stdout
     assert zipfile.ZipFile(graded[0].parent / "packed.zip").namelist() == [
         "labs/transforms.py", "labs/rasterization.py"]
-
-
-def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
-    """A file is missing in the zip, or a folder of data stops it. Or the result is written
-    elsewhere; a score that is no sum, a status that Gradescope does not know.
-    """
-    done = run_module(course, "course", "autograder", tmp_path / "a.zip")
-    assert done.returncode == 0, done.stderr
-    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
-        archive.extractall(tmp_path / "source")
-    for name in ("setup.sh", "requirements.txt", "labkit/grading/files/gradescope.Dockerfile"):
-        assert (tmp_path / "source" / name).exists()
-    put(tmp_path / "submission", {"transforms.py": LAB.replace("2 * x", "3 * x")})
-    (tmp_path / "results").mkdir()
-    settings = {"AUTOGRADER": str(tmp_path), "PATH": "/usr/bin:/bin", "PYTHON": sys.executable}
-    run = subprocess.run(["bash", str(tmp_path / "source" / "run_autograder")], env=settings,
-                         capture_output=True, encoding="utf-8")
-    assert run.returncode == 0, run.stderr
-    results = json.loads((tmp_path / "results" / "results.json").read_text())
-    assert results["score"] == sum(test["score"] for test in results["tests"]) == 6
-    assert [test["max_score"] for test in results["tests"]] == [1, 2, 4, 3]
-    failed, _ = [test for test in results["tests"] if test["status"] == "failed"]
-    assert failed["number"] == "1.1" and "differs" in failed["output"]

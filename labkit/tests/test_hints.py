@@ -68,6 +68,7 @@ def told(assertion, got, expected, *inputs):
     (3 * UNIT * [[1], [2], [4]], UNIT,
      "the numbers along the last axis are not scaled until they have length 1"),
     (np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
+    (np.float16(CORNER / 3), CORNER / 3, "float16 is not precise enough"),
     (CORNER + 1e-8 * CORNER ** 2, CORNER, "it is right to seven digits or so"),
     (CORNER * [1, -1, 1], CORNER, "it may be that the sign is flipped in [..., 1]"),
     (SIX * [1, 1, 0], SIX, "it is zero in [..., 2]"),

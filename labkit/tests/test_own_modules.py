@@ -43,8 +43,11 @@ TAKEN = {
     "names_of_others": Own("import numpy as np\nfrom .numpy import twice\nfrom .reference import x",
                            "np.array(twice(x))", (("numpy.py", TWICE), ("reference.py", "x = 1\n"),
                                                   ("course.py", "1 / 0\n"), ("given.py", "-"))),
+    "named_as_a_lab": Own("from .my_transforms import twice",
+                          files=(("my_transforms.py", TWICE), ("transforms_2.py", ""))),
     "empty": Own("from . import nothing", "2 * x", (("nothing.py", ""),))}
-UNTAKEN = {"names_of_others": {"course.py", "given.py"}}  # nothing imports them
+UNTAKEN = {"names_of_others": {"course.py", "given.py"},  # nothing imports them
+           "named_as_a_lab": {"transforms_2.py"}}
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +97,7 @@ REFUSED = {  # what lies beside a lab that gets no points, and what the notes or
     "huge": (Own("from .norms import twice", files=(("norms.py", TWICE + "#" * (1 << 15)),)),
              "labs/norms.py has more than 32 kB"),
     "not_utf8": (Own("from .norms import twice", files=(("norms.py", TWICE.encode() + b"#\xe9"),)),
-                 "labs/norms.py is not UTF-8 text (byte 32): save it as UTF-8"),
+                 "labs/norms.py is not UTF-8 text (line 3): save it as UTF-8"),
     "a_zero_byte": (Own("from .norms import twice", files=(("norms.py", f"{TWICE}\0"),)),
                     "source code string cannot contain null bytes"),
     "a_mistake": (Own("from .norms import twice", files=(("norms.py", f"{TWICE}\ndef (:\n"),)),
@@ -102,6 +105,7 @@ REFUSED = {  # what lies beside a lab that gets no points, and what the notes or
     "many": (Own("\n".join(f"from .n{k:02} import twice" for k in range(17)),
                  files=tuple((f"n{k:02}.py", TWICE) for k in range(17))),
              "No module named 'labs.n16'"),
+    "leaves": (Own("from .norms import twice", files=(("norms.py", "exit()\n"),)), "SystemExit"),
     "exits": (Own("from .norms import twice", files=(("norms.py", "import os\nos._exit(0)"),)),
               "the process ended with exit status 0")}
 KEEPS = """\
@@ -164,8 +168,12 @@ LOST = "is not there when your labs are graded, so transforms.py would lose all 
     (Own('TABLE = open("labs/table.txt").read()', "2 * x", (("table.txt", "x"),)),
      "labs/transforms.py, line 2: labs/table.txt is not there when your labs are graded; numpy"),
     (Own("from .norms import twice", files=(("norms.py", READS + TWICE), ("table.txt", "x"))),
-     "labs/norms.py, line 2: table.txt is not there when your labs are graded; numpy")],
-    ids=["a package", "in a package", "in turn", "another lab's", "a file", "a file in turn"])
+     "labs/norms.py, line 2: table.txt is not there when your labs are graded; numpy"),
+    *((REFUSED[name][0], said) for name, said in (
+        ("huge", f"labs/transforms.py, line 2: labs.norms {LOST}"),
+        ("many", f"labs/transforms.py, line 18: labs.n16 {LOST}")))],
+    ids=["a package", "in a package", "in turn", "another lab's", "a file", "a file in turn",
+         "long", "too many"])
 def test_what_works_at_home_alone_is_told_there(own, said, house, run_here, monkeypatch):
     """On the board all is done, and the mark is 0."""
     root = house(first_lab() | {f"labs/{name}": text for name, text in own.files}

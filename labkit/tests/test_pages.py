@@ -182,19 +182,25 @@ def test_reports_have_the_names_that_platforms_read(tmp_path):
     """Everybody's feedback is refused: Moodle and Canvas know students by numbers in names. Or a
     student reads the report of an earlier run.
     """
-    students = "Ada_1200", "lovelaceada", "bob", "cyd", "dan"
+    students = "Ada_1200", "lovelaceada", "bob", "cyd", "dan", "50101", "50102", "50103", "eve"
     put(tmp_path, {f"students/{student}/report.html": f"of {student}" for student in students})
     sender, = platforms.senders(tmp_path / "lovelaceada_LATE_12_34_labs.zip", {})
     works = (submission("Ada_1200", "moodle", id="1200", name="Ada_B"),
              submission("lovelaceada")._replace(identity=sender.identity),
              submission("bob", "canvas", id="13", file="bob_13_35_sampling.py"),
+             *(submission(member, "people", file="red_7_8_labs.zip") for member in students[5:8]),
+             submission("eve", "canvas", id="9", file=r"eve_9_9_..\..\evil.zip"),
              submission("cyd"), submission("without a report"))
+    put(tmp_path, {f"students/{student}/report.html": "of red" for student in students[5:7]})
     handback.write(tmp_path, [*(graded(work=one) for one in works),
                               graded("dan").failed("no worker could be started")])
     with zipfile.ZipFile(tmp_path / "feedback.zip") as archive:
         there = {name: archive.read(name) for name in archive.namelist()}
     inner = zipfile.ZipFile(io.BytesIO(there.pop("lovelaceada_LATE_12_34_labs.zip")))
     assert inner.read("report.html") == b"of lovelaceada"
+    assert there.pop("eve_9_9_.._.._evil.zip") and there.pop("50103/report.html") == b"of 50103"
+    inner = zipfile.ZipFile(io.BytesIO(there.pop("red_7_8_labs.zip")))
+    assert inner.read("report.html") == b"of red"
     assert there == {"Participant_1200_assignsubmission_file_/report.html": b"of Ada_1200",
                      "bob/report.html": b"of bob", "cyd/report.html": b"of cyd"}
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["feedback.zip"]

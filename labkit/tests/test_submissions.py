@@ -51,6 +51,7 @@ NAMES = {
         f"{MOODLE}_/transforms.py", f"{MOODLE}/labs/transforms.py", f"{MOODLE}_transforms.py"],
     "Grace_99_assignsubmission_file_Eve_105": [  # so she calls herself, to be in Grace's row
         "Grace_99_assignsubmission_file Eve_105_assignsubmission_file/transforms.py"],
+    "ada_l_x.edu": ["ada_l@x.edu_1_handin.zip", "ada_l@x.edu_12_transforms.py"],
     "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
     "cmd": ["=cmd()/transforms.py"],
     "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
@@ -61,7 +62,8 @@ NAMES = {
     (name, student) for student, names in NAMES.items() for name in names])
 def test_the_student_is_found_in_the_name(handed_in, name, student):
     """Half of a platform's name becomes the student, or a name is a formula in a table."""
-    found = handed_in({name: "x = 1\n"})
+    lab = "x = 1\n"
+    found = handed_in({name: {"transforms.py": lab} if name.endswith("zip") else lab})
     assert list(found) == [student]
     assert found[student].texts == {"transforms": "x = 1\n"}
     assert found[student].missing == {
@@ -152,6 +154,7 @@ def test_archives_are_read(handed_in, name, content):
 @pytest.mark.parametrize(("names", "newest"), [  # in the order of their files' times
     (["ada_12_500_labs.zip", "ada_12_700_labs.zip"], 1),
     (["ada_12_700_labs.zip", "ada_12_600_labs-2.zip"], 0),
+    (["ada@x_2_handin.zip", "ada@x_10_handin.zip"], 1),
     (["ada_12_700_transforms-2.py", "ada_12_701_transforms-1.py"], 1),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip", "ada_12_7_transforms.py"], 2),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip"], 1),
@@ -164,6 +167,14 @@ def test_a_student_s_newest_wins(handed_in, names, newest):
     one, = handed_in({name: {"transforms.py": text} if name.endswith(".zip") else text
                       for name, text in texts.items()}).values()
     assert one.texts == {"transforms": "new"} and one.notes
+
+
+def test_a_note_names_the_folders(handed_in):
+    """"transforms.py is the newest; not looked at: transforms.py", and nobody knows which."""
+    names = MOODLE, MOODLE.replace("file", "onlinetext")
+    one, = handed_in({f"{name}/transforms.py": name for name in names}).values()
+    assert one.notes == (f"transforms: {names[1]}/transforms.py is the newest; not looked at: "
+                         f"{names[0]}/transforms.py",)
 
 
 def test_what_is_broken_and_newer_counts_for_nothing(handed_in):
@@ -241,13 +252,24 @@ def test_the_hash_is_of_all_labs_that_were_handed_in(handed_in):
     (f"{MOODLE.replace('file', 'onlinetext')}/onlinetext.html", "x", "only onlinetext.html"),
     (f"{MOODLE.replace('submission_', 'feedback_')}/report.html", "x", "only report.html"),
     ("ada/readme.txt", "x", "ada holds no lab, only readme.txt"),
-    ("ada.zip", {"labs/transforms.py": b"\xe9"}, "is not UTF-8 text (byte 0)"),
+    ("ada.zip", {"labs/transforms.py": b"#\n#\n\xe9"}, "is not UTF-8 text (line 3): save"),
     ("ada.zip", {"labs/transforms.py": "#" * (1 << 19)}, "has more than 256 kB"),
 ])
 def test_who_handed_in_what_cannot_be_read_has_a_row(handed_in, name, content, sentence):
     """A student without a row, and without a word on what to do."""
     one, = handed_in({name: content}).values()
     assert one.texts == {} and sentence in one.missing["transforms"]
+
+
+def test_a_lab_below_itself_is_told(handed_in):
+    """"not started", seven times, to who has written all of it."""
+    lab = "def f():\n    return 1\n\ndef g():\n    return 1\n"
+    empty = lab.replace("return 1", '"""?"""\n    raise NotImplementedError("exercise 1.1: f")')
+    found = handed_in({"ada/transforms.py": lab + empty, "bob/transforms.py": empty + lab,
+                       "eve/transforms.py": lab + lab})
+    assert {name: one.notes for name, one in found.items() if one.notes} == {
+        "ada": ("labs/transforms.py has f and 1 more twice, and the last one counts, which is not "
+                "written: take out what was pasted below",)}
 
 
 def test_an_empty_folder_and_a_link_have_a_row(tmp_path):

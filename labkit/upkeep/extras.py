@@ -34,11 +34,14 @@ def close(target: str, core: bool = False) -> int:
     found = [(topic, answer) for topic, answer in asked(target)
              if answer.exercise.is_open and (core or answer.exercise.is_extra)]
     if not found:
-        raise ValueError(f"{target} has no extra that is open; with --core, released solutions are "
-                         "put into the exercises of the core")
+        more = "" if core else ("; with --core, released solutions are put into the exercises of "
+                                "the core")
+        raise ValueError(f"{target} has no extra that is open{more}")
     for topic, answer in found:
         known = known_answer(topic, answer.exercise)
-        if answer.text.strip() != answer.todo.strip():
+        if answer.text == known:
+            print(f"{named(answer)} is complete already")
+        elif answer.text.strip() != answer.todo.strip():
             print(f"{named(answer)} was worked on, and stays as it is")
         elif known is None:
             print(f"{named(answer)} stays open: its solution is not released in this copy")

@@ -7,7 +7,6 @@
     probe        in the sandbox: tries what must not work
     seccomp      the system calls that a worker may make
     levels       how it is started at each level: its command, its settings
-    cgroups      its counted share of the machine
     processes    what the system tells of processes
     labs         what a worker is sent of the course's labs
     sandbox      starts a worker, keeps its limits from outside, ends it, knows this machine

@@ -31,6 +31,7 @@ import time
 import types
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ... import exercises
@@ -170,7 +171,8 @@ class Examination:
         if self.opened == self.running:
             return
         self.finish()
-        self.worker = self.worker or self.start(self.own)
+        reused = self.worker
+        self.worker = reused or self.start(self.own)
         modules = (*map(self.earlier_lab, before_it(topic)),
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
@@ -179,10 +181,12 @@ class Examination:
             self.outcome(topic, None, message, [])
             self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
-            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
-            self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             if isinstance(error, sandbox.Lost):
                 self.forget()
+                if reused:  # for what another exercise has left
+                    return self.open(topic)
+            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
+            self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             raise Mismatch(("wrong", self.missing[topic])) from None
 
     def earlier_lab(self, topic):
@@ -241,7 +245,7 @@ class Examination:
         if kind == "raised":
             self.raise_here(topic, *answer[:3])
         if kind == "returned":
-            for changed in answer[1]:
+            for changed in answer[1][:len(inputs)]:
                 change(inputs, changed)
         return shortened(answer[0])
 
@@ -332,7 +336,8 @@ def change(inputs, changed):
     """Do to an input what the worker says was done to its copy: its position, and the array."""
     with contextlib.suppress(IndexError, TypeError, ValueError, OverflowError):
         position, array = changed
-        inputs[position][...] = array
+        if inputs[position].shape == np.shape(array):  # one number for all is much work
+            inputs[position][...] = array
 
 
 def printable(text):

@@ -3,6 +3,7 @@
 It runs in a worker, as a submission would. See sandbox.available.
 """
 import ctypes
+import fcntl
 import mmap
 import os
 import socket
@@ -23,6 +24,7 @@ def open_ways(port, course, file, keyctl):
         "the network": lambda: socket.create_connection(("127.0.0.1", port), 1),
         "sockets to the host": lambda: socket.socket(40, socket.SOCK_STREAM),  # AF_VSOCK
         "local sockets": lambda: socket.socket(socket.AF_UNIX),
+        "the kernel's sockets": lambda: socket.socket(16, socket.SOCK_RAW),  # AF_NETLINK
         "the course's files": lambda: os.stat(course),
         "files outside": lambda: os.stat(file),
         "the first process's memory": lambda: open("/proc/1/mem", "rb"),
@@ -31,7 +33,8 @@ def open_ways(port, course, file, keyctl):
         "POSIX shared memory": lambda: open("/dev/shm/written", "w"),
         "memory that is shared": lambda: mmap.mmap(-1, 4096, flags=mmap.MAP_SHARED),
         "other programs": lambda: os.posix_spawn("/proc/self/exe", ["python"], {}),
-        "locks on files": lambda: os.lockf(os.open(os.__file__, os.O_RDONLY), os.F_TEST, 1)}
+        "locks on files": lambda: os.lockf(os.open(os.__file__, os.O_RDONLY), os.F_TEST, 1),
+        "shared locks on files": lambda: fcntl.flock(os.open(os.__file__, 0), fcntl.LOCK_SH)}
     for folder in ("/", "/packages/numpy", os.path.dirname(os.__file__)):
         tried[f"writing to {folder}"] = lambda folder=folder: open(f"{folder}/written", "w")
     ways = [way for way, attempt in tried.items() if succeeds(attempt)]

@@ -56,11 +56,8 @@ def lifeline():
             os.close(writing)
 
 
-def examine(job: Job, line=None) -> tuple[Result, dict]:
+def examine(job: Job, line) -> tuple[Result, dict]:
     """A job -> (its result, {name: picture}), from a process of its own."""
-    if line is None:
-        with lifeline() as line:
-            return examine(job, line)
     with tempfile.TemporaryDirectory(prefix="examine-") as folder:
         folder = Path(folder)
         (folder / "job.json").write_text(typed_json.dumps(job), "utf-8")

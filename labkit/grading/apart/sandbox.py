@@ -19,14 +19,12 @@ from typing import NamedTuple
 
 from ... import places
 from . import seccomp, wire
-from .cgroups import Share
 from .levels import environment, given, plain, strict
 from .processes import WORKERS, Use, end_orphans, family, use_of
 
 PROBE = Path(__file__).with_name("probe.py")
 PATIENCE = 0.2         # seconds between two looks at a worker
 CLOCK = 5              # so many times its limit may a worker take on the clock, on a busy machine
-OUR_OWN = 4            # processes of a worker that are not the submission's
 FILES_LEFT = "files"
 MOST_FILES = 1000      # of a worker's folder: the system counts their bytes, and not their number
 
@@ -61,7 +59,6 @@ class Worker:
         self.buffer = bytearray()
         with theirs, its_control:
             self.process = started(command, self.folder, theirs, its_control)
-        self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
             self.begin(settings, given() | dict(more))
@@ -76,9 +73,6 @@ class Worker:
         except Lost as lost:
             said = self.process.stderr.read1(2000).decode("utf-8", "replace").strip()
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None
-        self.share = Share(family(self.process.pid), self.limits.memory,
-                           self.limits.processes + OUR_OWN)
-        self.has += ("cgroup",) * bool(self.share.folder)
         self.guard.start()
 
     def exchange(self, message, seconds):
@@ -166,8 +160,6 @@ class Worker:
             status = self.process.wait(1) if status is None else status
         if self.guard.excess:
             return f": {self.guard.excess}"
-        if self.share and self.share.is_exceeded():
-            return f": it took more than {self.limits.memory >> 20} MB of memory"
         if status is None:
             return ""
         return f" by signal {-status}" if status < 0 else f" with exit status {status}"
@@ -185,8 +177,6 @@ class Worker:
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         self.process.wait()
-        if self.share:
-            self.share.close()
         WORKERS.discard(self.process.pid)
         end_orphans()
         shutil.rmtree(self.folder, ignore_errors=True)

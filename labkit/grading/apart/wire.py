@@ -23,6 +23,8 @@ import numpy as np
 MOST_BYTES = 1 << 24   # of a payload: twice what any exercise returns
 MOST_HEADER = 1 << 22  # of it
 MOST_ANSWER = 1 << 17  # of the header of a worker's answer, where numbers are in arrays
+MOST_NUMBERS = 1 << 21  # of all arrays in a payload: twice what any exercise takes or returns
+MOST_AXES = 8           # of an array: twice as many
 MOST_EMPTY = 1 << 16    # rows of an array without numbers
 USUAL = 300            # bytes of a header that holds no numbers
 DTYPES = {name: np.dtype(name) for name in
@@ -124,7 +126,7 @@ def decode(payload, named=None, most_header=MOST_HEADER):
         start = 4 + int.from_bytes(payload[:4], "big")
         if start > 4 + most_header:
             raise Garbled(f"a header of {start} bytes")
-        header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:]]
+        header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:], MOST_NUMBERS]
         value = built(header, rest, named or {})
     except (ValueError, TypeError, AttributeError, RecursionError, MemoryError,
             OverflowError) as error:
@@ -135,7 +137,9 @@ def decode(payload, named=None, most_header=MOST_HEADER):
 
 
 def built(header, rest, named):
-    """The value that a header describes. Its numbers are taken from the front of rest[0]."""
+    """The value that a header describes. Its numbers are taken from the front of rest[0], no more
+    than rest[1] of them.
+    """
     if isinstance(header, str):
         return header.encode("utf-8", "replace").decode("utf-8")  # no lone surrogates
     if isinstance(header, list):
@@ -185,9 +189,14 @@ def built_array(name, shape, rest):
         raise Garbled("an array of a wrong type or shape")
     if math.prod(max(n, 1) for n in shape) > max(math.prod(shape), MOST_EMPTY):
         raise Garbled("an array of too many rows without numbers")
+    if len(shape) > MOST_AXES:
+        raise Garbled(f"an array of {len(shape)} axes; {MOST_AXES} are allowed")
     size = dtype.itemsize * math.prod(shape)
     if size > len(rest[0]):
         raise Garbled("an array with fewer bytes than its shape says")
+    rest[1] -= math.prod(shape)
+    if rest[1] < 0:
+        raise Garbled(f"more than {MOST_NUMBERS:,} numbers")
     content, rest[0] = rest[0][:size], rest[0][size:]
     if name == "|b1":  # any byte but 0 is True
         return np.frombuffer(content, np.uint8).astype(bool).reshape(shape)

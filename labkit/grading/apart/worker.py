@@ -289,4 +289,5 @@ def known_error(name):
 
 
 if __name__ == "__main__":
+    builtins.exit = builtins.quit = sys.exit  # as at home, where `site` makes them
     main()

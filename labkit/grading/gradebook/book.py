@@ -3,6 +3,7 @@
 All files that an instructor gives are read before anything is graded, so a mistake costs no time.
 """
 from ... import places
+from ..handing.submissions import AGAIN
 from . import lateness, overrides, people, rosters, sheets, worth
 from .records import Record
 
@@ -22,7 +23,7 @@ class Gradebook:
         self.of = sum(exercise.points for exercise in columns)
         self.policy = lateness.policy(asked.due, asked.late, asked.grace)
         self.by_hand = {} if asked.overrides is None else overrides.read(
-            asked.overrides, people.names(handed_in), columns)
+            asked.overrides, people.called(handed_in), columns)
         self.persons, self.due = persons, people.due_times(handed_in, persons)
         self.roster, self.rows, self.unmatched = None, {}, {}
         if asked.csv:
@@ -32,22 +33,50 @@ class Gradebook:
 
     def entered(self, record: Record) -> Record:
         """The record, with what is known of its student besides the work, and without the texts."""
-        one = self.handed_in[record.work.student]
-        when = self.when(one)
-        policy = self.policy._replace(due=self.due.get(one.student, self.policy.due))
-        return record._replace(work=one._replace(texts={}, missing={}, handed_in=when),
-                               lateness=lateness.judged(policy, when, one.late),
+        one, when = record.work, self.when(record.work)
+        return record._replace(work=one._replace(texts={}, missing={}, handed_in=when, others=()),
+                               lateness=lateness.judged(self.policy_for(one), when, one.late),
                                overrides=self.by_hand.get(one.student, {}),
                                all_or_nothing=self.all_or_nothing)
+
+    def policy_for(self, one):
+        """The policy, with the student's own due time."""
+        return self.policy._replace(due=self.due.get(one.student, self.policy.due))
 
     def when(self, one):
         """Seconds since 1970. Moodle tells them in its worksheet only."""
         text = self.moodle_says(one)
         return lateness.moodle_time(text, self.policy.zone) if text else one.handed_in
 
+    def is_late(self, one):
+        return lateness.is_late(self.policy_for(one), self.when(one), one.late)
+
+    def with_earlier(self, one, kept):
+        """A Submission, with what an earlier run keeps of the same student: of the same work, the
+        earlier time counts, and other work is one of the others. kept: a Submission, or None.
+        """
+        if not (kept and kept.texts):
+            return one
+        late = lateness.is_late(self.policy_for(kept), kept.handed_in, kept.late)
+        kept = kept._replace(late=late)  # which says that its time is known, also of Moodle
+        if kept.texts != one.texts:
+            return one._replace(others=(kept, *one.others))
+        return one if late or not self.is_late(one) else one._replace(
+            handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
+
+    def counting(self, one, kept, count) -> list:
+        """The Submissions of a student, of which the best counts. kept: as for `with_earlier`,
+        count: as in the Request.
+        """
+        one = self.with_earlier(one, kept)
+        if count == "best":
+            return [*one.others, one]
+        in_time = [each for each in (*one.others, one) if not self.is_late(each)]
+        return in_time[-1:] if in_time and count == "last-on-time" else [one]
+
     def moodle_says(self, one):
         """When it was handed in, as Moodle's worksheet has it, or an empty text."""
-        if (one.student not in self.rows or self.roster.platform != "moodle"
+        if (one.student not in self.rows or self.roster.platform != "moodle" or one.late is False
                 or one.identity.platform not in ("moodle", "people")):
             return ""
         return rosters.cell(self.roster, self.rows[one.student],

@@ -1,5 +1,6 @@
 """What earlier runs left in the same folder: nobody falls out of the tables."""
 from ..apart import typed_json
+from ..handing import contents, texts
 from . import worth
 from .records import Record
 
@@ -26,6 +27,24 @@ def records(out, handed_in, columns) -> tuple[list[Record], list[str]]:
         elif record and are_two(record.work.identity, one.identity):
             raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "
                              "the same: name another folder with --out")
+    return found, gone
+
+
+def works(out, topics, seed_of) -> tuple[dict, list[str]]:
+    """-> ({student: the Submission that the tables show, with its texts}, the names of those whose
+    texts are not kept). seed_of(texts) -> the seed from which these are graded.
+    """
+    found, gone, first = {}, [], {}
+    for path in sorted(out.glob("students/*/record.json")):
+        student, record = path.parent.name, read(path)
+        group = (record and record.work.group) or student
+        kept = texts.of(out, first.setdefault(group, student))
+        if record and seed_of(kept) == record.how.seed:
+            found[student] = record.work._replace(texts=kept, missing={
+                topic: record.result.missing.get(topic, contents.ABSENT.format(topic))
+                for topic in topics if topic not in kept})
+        else:
+            gone.append(student)
     return found, gone
 
 

@@ -89,6 +89,13 @@ def judged(policy, handed_in, is_late) -> Lateness:
                     min(100, steps * policy.percent))
 
 
+def is_late(policy, handed_in, says) -> bool:
+    """Whether a submission came after its time and the grace. As for `judged`."""
+    if handed_in is None or policy.due is None:
+        return bool(says)
+    return math.floor(handed_in - policy.due) > policy.grace
+
+
 def moodle_time(text, zone):
     """'Sunday, 22 November 2026, 11:59 PM', as Moodle's worksheet has it -> seconds since 1970.
 

@@ -23,13 +23,13 @@ class Override(NamedTuple):
 def read(path, students, exercises) -> dict[str, dict[str, Override]]:
     """{student: {exercise: Override}}. ValueError names the first line that is wrong.
 
-    students {what somebody is called: the student of grades.csv}. exercises: those that are graded.
+    students {what somebody is called: those of grades.csv}. exercises: those that are graded.
     """
     most = {exercise.number: exercise.points for exercise in exercises}
     most["total"] = most["late"] = sum(most.values())
     found = {}
     for where, (student, exercise, points, reason) in sheets.by_columns(path, COLUMNS):
-        given = found.setdefault(students.get(student), {})
+        given = found.setdefault(*students.get(student, [None])[:1], {})
         if wrong := problem(student, exercise, reason, students, most, given):
             raise ValueError(f"{where}: {wrong}")
         given[exercise] = Override(number(points, most[exercise], where), reason)
@@ -38,9 +38,10 @@ def read(path, students, exercises) -> dict[str, dict[str, Override]]:
 
 def problem(student, exercise, reason, students, most, given):
     """A sentence on what is wrong with a row, or None."""
-    if student not in students:
-        return (f"nobody called {student!r} handed in anything: write the name as in the column "
-                "student of grades.csv, or the platform's id")
+    if len(who := students.get(student, ())) != 1:
+        there = f" ({', '.join(who)})" * bool(who)
+        return (f"{len(who) or 'nobody'} called {student!r} handed in anything{there}: write the "
+                "name as in the column student of grades.csv, or the platform's id")
     if exercise not in most:
         return (f"{exercise!r} is not graded: give an exercise such as {next(iter(most))}, "
                 "or total, or late")

@@ -38,14 +38,18 @@ def read(path, zone=None) -> list[Person]:
     return found
 
 
-def names(handed_in) -> dict[str, str]:
-    """{what a student is called: the student of grades.csv}, if nobody else is called so."""
+def called(handed_in) -> dict[str, list]:
+    """{what somebody is called: the students of grades.csv who are called so}."""
     found = {}
     for one in handed_in:
-        for name in {one.student, one.identity.id, one.identity.email, one.identity.name} - {""}:
-            found.setdefault(name, set()).add(one.student)
-    return {name: next(iter(each)) for name, each in found.items() if len(each) == 1} | {
-        one.student: one.student for one in handed_in}
+        for name in {one.identity.id, one.identity.email, one.identity.name} - {""}:
+            found.setdefault(name, []).append(one.student)
+    return found | {one.student: [one.student] for one in handed_in}
+
+
+def names(handed_in) -> dict[str, str]:
+    """{what a student is called: the student of grades.csv}, if nobody else is called so."""
+    return {name: each[0] for name, each in called(handed_in).items() if len(each) == 1}
 
 
 def with_members(handed_in, people) -> list:
@@ -63,16 +67,15 @@ def with_members(handed_in, people) -> list:
                 raise ValueError(f"{person.where}: {person.name} is there alone, too: take one of "
                                  "the two out")
             taken.add(student.casefold())
-            groups[known[person.group]].append((student, Identity("people", name=person.name)))
+            groups[known[person.group]].append((student, person.name))
     return sorted((one for group in handed_in for one in members(group, groups[group.student])),
                   key=lambda one: one.student)
 
 
 def members(group, found):
-    """The Submission of a group, as that of each member (student, Identity). Without any, as it is.
-    """
-    return [group._replace(student=student, group=group.student, identity=identity)
-            for student, identity in found] or [group]
+    """The Submission of a group, as that of each member (student, name). Without any, as it is."""
+    return [group._replace(student=student, group=group.student, identity=Identity(
+        "people", name=name, file=group.identity.file)) for student, name in found] or [group]
 
 
 def due_times(handed_in, people) -> dict[str, float]:
@@ -84,6 +87,9 @@ def due_times(handed_in, people) -> dict[str, float]:
 
 def said(handed_in, people):
     """Sentences on lines that fit nobody: they have not handed in, or are misspelt."""
-    known = names(handed_in)
-    return [f"{person.where}: nothing was handed in by {person.group or person.name}"
-            for person in people if person.name not in known]
+    known = called(handed_in)
+    return [f"{person.where}: " + (
+        f"{len(known[person.name])} are called so, and the line counts for none: "
+        f"{', '.join(known[person.name])}" if person.name in known else
+        f"nothing was handed in by {person.group or person.name}")
+        for person in people if len(known.get(person.name, ())) != 1]

@@ -47,6 +47,12 @@ def after_lateness(record: Record) -> float:
     return round(total(record) - taken_off(record), 2)
 
 
+def rank(record: Record) -> tuple:
+    """The greatest counts, of several hand-ins: what could not be graded hides no mark."""
+    return (bool(record.result.problem), after_lateness(record), -(record.work.handed_in or 0),
+            record.how.seed)
+
+
 def changes(before: Record, now: Record):
     """Yield (student, exercise or sum, points before, points now, why) of what is different."""
     causes = {"handed in again": before.work.digest != now.work.digest,

@@ -54,16 +54,13 @@ def read(path, topics) -> tuple[dict, dict, list]:
     return *texts_of(labs, topics, notes), notes
 
 
-def zipped(files, programs=()) -> bytes:
-    """Pairs (name, content) -> a zip of them: from the same files, the same bytes.
-
-    programs: the names of those that can be run.
-    """
+def zipped(files) -> bytes:
+    """Pairs (name, content) -> a zip of them: from the same files, the same bytes."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:
         for name, part in files:
             entry = zipfile.ZipInfo(name)
-            entry.external_attr = (0o100755 if name in programs else 0o100644) << 16
+            entry.external_attr = 0o100644 << 16
             archive.writestr(entry, part, zipfile.ZIP_DEFLATED)
     return content.getvalue()
 
@@ -140,11 +137,12 @@ def chosen(entries, name, notes):
         _, place, entry, when, content = min(found, key=lambda one: one[0])
         labs[topic] = Lab(when, quoted(entry), careful(content))
         folders[place.parent] = None
-        notes += passed_over(entry, [other for *_, other, _, _ in found])
+    own = beside(labs, folders, places)
+    notes += passed_over(labs, own, there)
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
         notes.append(f"{quoted(name)} {what}")
-    return labs | beside(labs, folders, places)
+    return labs | own
 
 
 def beside(labs, folders, places):
@@ -162,10 +160,12 @@ def beside(labs, folders, places):
     return found
 
 
-def passed_over(taken, names):
-    """A sentence, or none, on the files that could have been taken in place of this one."""
-    if left := [name for name in names if name != taken]:
-        yield f"{quoted(taken)} was taken, not {few(left)}"
+def passed_over(labs, own, there):
+    """Yield a sentence on each lab in whose place others could have been taken: there {topic: }."""
+    taken = {lab.source for lab in (*labs.values(), *own.values())}
+    for topic, found in there.items():
+        if left := [other for *_, other, _, _ in found if quoted(other) not in taken]:
+            yield f"{labs[topic].source} was taken, not {few(left)}"
 
 
 def newest(found, notes) -> dict[str, Lab]:
@@ -187,9 +187,14 @@ def few(names):
 
 
 def careful(function):
-    """What the function returns, or the ValueError that says why there is nothing."""
+    """What the function returns, or the ValueError that says why there is nothing.
+
+    PermissionError: the grader may not read what is there, which is nobody's fault who handed in.
+    """
     try:
         return function()
+    except PermissionError:
+        raise
     except ValueError as error:
         return error
     except Exception as error:  # whatever a broken archive makes the parser stumble over

@@ -6,7 +6,9 @@ from typing import NamedTuple
 from ... import exercises, imports
 
 MOST_TEXT = 1 << 18  # bytes of one lab
-MOST_OWN = 1 << 15   # of a module of the student's own: these are sent together
+
+
+ABSENT = "there is no labs/{}.py in what was handed in"
 
 
 class Lab(NamedTuple):
@@ -26,8 +28,9 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
     for topic in topics:
         try:
             texts[topic] = text_of(labs[topic].content)
+            notes += imports.pasted(topic, texts[topic])
         except KeyError:
-            missing[topic] = f"there is no labs/{topic}.py in what was handed in"
+            missing[topic] = ABSENT.format(topic)
         except ValueError as error:
             missing[topic] = f"labs/{topic}.py {error}"
     texts |= imports.own_modules(texts.values(), functools.partial(own_text, labs, notes))
@@ -39,7 +42,7 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
 def own_text(labs, notes, name):
     """The text of a module of the student's own. None: it cannot be taken, which is noted."""
     try:
-        return text_of(labs[name].content, MOST_OWN)
+        return text_of(labs[name].content, imports.MOST_OWN)
     except KeyError:
         notes.append(f"labs/{name}.py, which is imported, is not beside the lab that imports it")
     except ValueError as error:
@@ -58,7 +61,8 @@ def text_of(content, most=MOST_TEXT):
     try:
         return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
+        line = content.count(b"\n", 0, error.start) + 1
+        raise ValueError(f"is not UTF-8 text (line {line}): save it as UTF-8") from None
 
 
 def digest(texts) -> str:

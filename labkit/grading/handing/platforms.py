@@ -4,6 +4,7 @@
     anon_Ab3dE_56789_labs.zip                   Canvas, when names are hidden
     lovelaceada_1234_text.html, _link.html      Canvas: text or an address in the place of a file
     Ada Lovelace_1234_assignsubmission_file/    Moodle: name, participant; a file's name may follow
+    ada@x.edu_2_handin.zip                      Autolab: e-mail, version, file
     submission_1234/                            Gradescope, beside submission_metadata.yml
     ada/, ada.zip, ada_transforms.py            by hand
 
@@ -26,6 +27,7 @@ CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)"
                     r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
 ANONYMOUS = re.compile(r"(?P<late>LATE_)?(?P<name>anon_[0-9A-Za-z]+)"
                        r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
+AUTOLAB = re.compile(r"(?P<email>.+?@[^_]+)_(?P<order>\d+)_.+", re.S)
 MOODLE_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assign(?:submission|feedback)_[a-z]+_?", re.S)
 MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assign(?:submission|feedback)_[a-z]+.*", re.S)
 
@@ -60,7 +62,8 @@ def senders(path, submitters) -> list[Sender]:
     if found := submitters.get(name.partition(".")[0]):
         return found
     folder = [(MOODLE_FOLDER, moodle)] * path.is_dir()
-    for form, sender in *folder, (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas):
+    for form, sender in (*folder, (MOODLE, moodle), (AUTOLAB, autolab), (ANONYMOUS, canvas),
+                         (CANVAS, canvas)):
         if match := form.fullmatch(name):
             found = sender(**match.groupdict())
             return [found._replace(identity=found.identity._replace(file=name))]
@@ -71,6 +74,10 @@ def senders(path, submitters) -> list[Sender]:
 def canvas(name, late, order, id=""):
     return Sender(f"{name}_{id}" if id else name, Identity("canvas", id, name),
                   order=int(order or 0), late=bool(late))
+
+
+def autolab(email, order):
+    return Sender(email, Identity("autolab", email=email), order=int(order))
 
 
 def moodle(name, id):

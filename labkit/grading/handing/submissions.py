@@ -15,6 +15,8 @@ from ... import exercises
 from . import archives, contents, platforms
 
 LONGEST_NAME = 100  # bytes of a student's name as a folder
+MOST_TIMES = 20     # at which a student's work is looked at, the newest
+AGAIN = "what was handed in later changes nothing that is graded: the earlier time counts"
 NOBODY = ("no student can be told from this name: put it into a folder with the student's name, "
           "or call it ada.zip or ada_{topic}.py, and grade again")
 
@@ -31,6 +33,8 @@ class Submission(NamedTuple):
     late: bool | None = None  # as the platform says; None: it says nothing
     digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
     group: str = ""           # whose members hand in the same
+    problem: str = ""         # why it cannot be graded, which is not the student's doing
+    others: tuple = ()        # Submissions: what this student had handed in at other times
 
 
 def read(folder, topics) -> tuple[list[Submission], list]:
@@ -100,24 +104,48 @@ def cut_name(name, student):
 
 
 def submission(name, found, topics, groups):
-    """The newest file of each lab that a student has handed in. groups {path: its group}."""
-    notes, every, budget = [], [], archives.Budget()
-    found = sorted(found, key=lambda one: one[0].order, reverse=True)
-    for sender, path in found:
-        there = archives.labs_in(path, path.name, notes, budget)
-        every.append({topic: lab._replace(when=(sender.order, lab.when))
-                      for topic, lab in there.items()})
-    labs = [{topic: lab for topic, lab in there.items() if topic in topics
-             or topic not in exercises.TOPICS} for there in every]
-    whole, _ = contents.texts_of(archives.newest(every, []), exercises.topics(), [])
-    taken = archives.newest(labs, notes)
+    """The newest file of each lab that a student has handed in. What was there before as well
+    counts from then on. groups {path: its group}.
+    """
+    try:
+        every, problem = list(opened(found)), ""
+    except PermissionError as error:
+        every = [(*one, [], {}) for one in found]
+        names = archives.few([path.name for _, path in found])
+        problem = (f"{names} cannot be read here ({archives.reason(error)}): allow yourself to "
+                   "read it, and grade again")
+    newest, *before = (at_a_time(name, every[k:], topics, groups)
+                       for k in range(min(len(every), MOST_TIMES)))
+    first = {}
+    for one in (*before[::-1], newest):
+        first.setdefault(tuple(sorted(one.texts.items())), one)
+    counts = first.pop(tuple(sorted(newest.texts.items())))
+    again = [AGAIN] * ((counts.late, counts.handed_in) != (newest.late, newest.handed_in))
+    return counts._replace(
+        missing=newest.missing, digest=newest.digest, problem=problem,
+        others=tuple(first.values()),
+        notes=(*newest.notes, *again * bool(newest.texts)))
+
+
+def opened(found):
+    """Yield (sender, path, notes, labs) of what a student has handed in, the newest first."""
+    budget = archives.Budget()
+    for sender, path in sorted(found, key=lambda one: one[0].order, reverse=True):
+        notes, inside = [], f"{path.name}/" if len(found) > 1 and path.is_dir() else ""
+        yield sender, path, notes, {
+            topic: lab._replace(when=(sender.order, lab.when),
+                                source=archives.quoted(inside + lab.source))
+            for topic, lab in archives.labs_in(path, path.name, notes, budget).items()}
+
+
+def at_a_time(name, every, topics, groups):
+    """What a student had handed in when the first of these came, the newest."""
+    notes = [note for _, _, said, _ in every for note in said]
+    labs = [there for *_, there in every]
+    whole, _ = contents.texts_of(archives.newest(labs, []), exercises.topics(), [])
+    taken = archives.newest([{topic: lab for topic, lab in there.items() if topic in topics
+                              or topic not in exercises.TOPICS} for there in labs], notes)
     texts, missing = contents.texts_of(taken, topics, notes)
-    senders = [sender for sender, _ in found]
-    used = [sender for sender, there in zip(senders, labs, strict=True)
-            if any(there[name] is taken[name] for name in there.keys() & {*texts, *missing})
-            ] or senders
-    last = max(used, key=lambda sender: sender.order)
-    group = next((groups[path] for sender, path in found if sender is last and path in groups), "")
-    return Submission(name, texts, missing, tuple(notes), last.identity, last.handed_in,
-                      max((sender.late for sender in used), key=bool), contents.digest(whole),
-                      group)
+    sender, path, *_ = every[0]
+    return Submission(name, texts, missing, tuple(notes), sender.identity, sender.handed_in,
+                      sender.late, contents.digest(whole), groups.get(path, ""))

@@ -27,10 +27,15 @@ def kept(out, works) -> dict[str, dict[str, str]]:
             shutil.rmtree(folder, ignore_errors=True)
         if one.student in first.values():
             write(folder, one.texts)
-            found[one.student] = {path.stem: exercises.read(path) for path in folder.glob("*.py")}
+            found[one.student] = of(out, one.student)
     topics = set().union(*found.values()).intersection(exercises.TOPICS)
     write(out / "code-handed-out", {topic: handed_out(topic) for topic in topics})
     return found
+
+
+def of(out, student):
+    """{name: text} of what a student handed in, as it is kept."""
+    return {path.stem: exercises.read(path) for path in (out / "code" / student).glob("*.py")}
 
 
 def write(folder, texts):

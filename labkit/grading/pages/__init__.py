@@ -1,6 +1,6 @@
 """What instructors and students read.
 
-    report    a student's page, and Gradescope's results
+    report    a student's page
     overview  the class's page
     unusual   what a person should look at, in each submission
 """

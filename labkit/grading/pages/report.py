@@ -1,4 +1,4 @@
-"""A student's page, and Gradescope's results. Whatever comes from students is escaped.
+"""A student's page. Whatever comes from students is escaped.
 
 The page names nobody, so that it can be given back, and shown, in any way: see `handback`.
 """
@@ -8,7 +8,7 @@ import re
 from ...checks import page as html
 from ..gradebook.records import Record
 from ..gradebook.sheets import number_text
-from ..gradebook.worth import after_lateness, by_checks, counting, points, sentences
+from ..gradebook.worth import after_lateness, by_checks, points, sentences
 
 IMPORT = "cannot be imported"  # so `examine` says of a lab
 
@@ -75,24 +75,3 @@ def board_table(entries, reached):
         lines += [[entry.number, entry.name, reached.get(entry.number, ""),
                    entry.points or "step", html.coloured(entry.told)] for entry in lab]
     return html.rows(lines, ["", "", "points", "of", ""])
-
-
-def gradescope(record: Record, about) -> dict:
-    """Gradescope's results.json."""
-    how, reached = record.how, points(record)
-    about = f"isolation {how.level} ({about}), hash {record.work.digest}, seed {how.seed}"
-    return {"score": after_lateness(record),
-            "output": "\n".join([*sentences(record), *record.work.notes, about]),
-            "output_format": "text", "execution_time": round(record.result.seconds),
-            "stdout_visibility": "hidden",
-            "tests": [gradescope_test(entry, reached) for entry in counting(record)]}
-
-
-def gradescope_test(entry, reached):
-    """An exercise as one of Gradescope's tests."""
-    wrong = [f"{check.claim}\n{check.message}" for check in entry.checks
-             if check.verdict != "passed"]
-    return {"number": entry.number, "name": entry.name,
-            "score": reached[entry.number], "max_score": entry.points,
-            "status": "passed" if entry.verdict == "done" else "failed", "output_format": "text",
-            "output": "\n\n".join([entry.told, *wrong]) if wrong else ""}

@@ -1,2 +1,0 @@
-"""Imports a package that is not there."""
-import torch_that_nobody_has

@@ -1,5 +1,0 @@
-"""Returns an array of objects."""
-
-
-def double(x):
-    return np.array([x, None, {}], dtype=object)

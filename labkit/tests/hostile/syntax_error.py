@@ -1,2 +1,0 @@
-"""Not Python."""
-def double(x:
