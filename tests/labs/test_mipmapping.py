@@ -360,17 +360,11 @@ def test_nearest_and_the_background_do_not_pull(impl):
 
 @exercise("6.12")
 def test_the_gradients_of_taps_are_central_differences(impl, rng, gradcheck):
-    """Wrong at another place, in another level, or beyond the border."""
+    """Wrong at another place, or in another level."""
     mipmap, uv, level = of_8_by_4(impl), rng.uniform(-1, 2, (12, 2)), rng.uniform(-0.9, 2.9, 12)
-    for boundary in "wrap", "zero":
-        def backward(grad, uv, level, boundary=boundary):
-            inside = trilinear_weights(uv, np.maximum(level, 0.5), mipmap.width, mipmap.height,
-                                       boundary) != 0
-            return impl.taps_backward(grad, inside, uv, level, mipmap,
-                                      how(impl, TRILINEAR, boundary))
-
-        gradcheck(lambda uv, level, boundary=boundary: trilinear_weights(
-            uv, level, mipmap.width, mipmap.height, boundary), backward, (uv, level),
-            decisions=lambda uv, level: (np.floor(np.clip(level, 0, 3)),
-                                         np.floor(uv[..., None] * [8, 4, 2, 1] - 0.5)),
-            name="taps")
+    gradcheck(lambda uv, level: trilinear_weights(uv, level, mipmap.width, mipmap.height, "wrap"),
+              lambda grad, uv, level: impl.taps_backward(grad, np.ones((12, 8), bool), uv, level,
+                                                         mipmap, how(impl, TRILINEAR, "wrap")),
+              (uv, level), decisions=lambda uv, level: (
+                  np.floor(np.clip(level, 0, 3)), np.floor(uv[..., None] * [8, 4, 2, 1] - 0.5)),
+              name="taps")

@@ -120,17 +120,26 @@ def test_nothing_lies_beyond(impl):
                  [[0, 0, 0, 0.375], [0.375, 0, 0, 0]])
 
 
+def check_anywhere(impl, rng, boundary):
+    """Random places, each of a texture of its own size."""
+    uv, sizes = rng.uniform(-1, 2, (9, 2)), rng.integers(1, 9, (2, 9))
+    index, weight, inside = map(np.asarray, impl.texels_at(uv, *sizes, boundary))
+    expected = np.array([four_texels(*one, boundary) for one in zip(uv, *sizes, strict=True)])
+    assert_close(weight.T, expected[:, 1])
+    assert_equal(inside.T, expected[:, 2] > 0)
+    assert_equal(np.where(inside, index, 0).T, np.where(inside.T, expected[:, 0], 0).astype(int))
+
+
 @exercise("6.2")
 def test_every_place_may_have_its_own_size(impl, rng):
     """One size for all. In a pyramid each pixel may look at another level."""
-    uv, sizes = rng.uniform(-1, 2, (9, 2)), rng.integers(1, 9, (2, 9))
-    for boundary in "wrap", "clamp", "zero":
-        index, weight, inside = map(np.asarray, impl.texels_at(uv, *sizes, boundary))
-        expected = np.array([four_texels(*one, boundary) for one in zip(uv, *sizes, strict=True)])
-        assert_close(weight.T, expected[:, 1], f"weight, {boundary}")
-        assert_equal(inside.T, expected[:, 2] > 0, f"inside, {boundary}")
-        assert_equal(np.where(inside, index, 0).T,
-                     np.where(inside.T, expected[:, 0], 0).astype(int), f"index, {boundary}")
+    check_anywhere(impl, rng, "wrap")
+
+
+@exercise("6.2")
+def test_anywhere_beyond_the_border_there_is_nothing(impl, rng):
+    """Right on paper alone, or for one size: a texel outside keeps its weight."""
+    check_anywhere(impl, rng, "zero")
 
 
 # --- the look-up -------------------------------------------------------------------------------
