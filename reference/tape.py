@@ -234,6 +234,12 @@ def rotation(q):  # extra 9.18 (2 points)
     return np.eye(3) + 2.0 * (q[0] * K + K @ K) / square
 
 
+def rotation_backward(grad, q):
+    """Backward of `rotation`, by the tape: grad (3, 3) -> grad_q (4,)."""
+    q = Var(Tape([], []), q)
+    return gradients(rotation(q), [q], grad)[0]
+
+
 def render(mesh, material, view):  # extra 9.19 (5 points)
     """`pipeline.render` on a tape -> the picture (H, W, C), a Var.
 

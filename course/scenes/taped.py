@@ -6,7 +6,7 @@ import numpy as np
 from ..given import mesh
 from .drawing import BACKGROUND, BRASS, descended, save, unit_bunny
 
-DISTANCE, NEAR, FAR = 4.0, 1.0, 9.0
+DISTANCE, NEAR, FAR = 2.5, 0.5, 9.0
 AMBIENT = 0.15
 
 
