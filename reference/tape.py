@@ -14,7 +14,7 @@ played again.
 A Var is a place on a tape. Its arithmetic adds steps, as `on_tape` does, so that one writes
 formulas as ever. No loop over steps knows what a picture is.
 
-Sources: Wengert 1964, (7); Linnainmaa 1970 and Speelpenning 1980, (8); Shoemake 1985, (10).
+Sources: Baydin et al. 2018, (7) and (8); Shoemake 1985, (10).
 """
 from collections.abc import Callable
 from typing import NamedTuple

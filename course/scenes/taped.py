@@ -4,14 +4,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import mesh
-from .drawing import BACKGROUND, BRASS, descended, save, unit_bunny
+from .drawing import BACKGROUND, BRASS, save, unit_bunny
 
 DISTANCE, NEAR, FAR = 2.5, 0.5, 9.0
 AMBIENT = 0.15
+STAGES = (32, 60, 0.03), (64, 80, 0.01), (128, 60, 0.003)  # size, steps, first rate
 
 
 class Scene(NamedTuple):
-    """What is looked for, 11 numbers: a quaternion, a translation, a focal length, a light (3,)."""
+    """11 numbers: a quaternion turn (4,), move (3,), focal, and light (3,), as long as bright."""
 
     turn: np.ndarray
     move: np.ndarray
@@ -19,29 +20,73 @@ class Scene(NamedTuple):
     light: np.ndarray
 
 
+def taped(labs):
+    """Pose, focal length and light from one picture, with no backward pass of their own (lab 9)."""
+    ends = []
+    for seed in range(8):
+        goal, start = example(labs, seed)
+        *_, (found, _) = fit(labs, goal, start)
+        ends.append(degrees_off(labs, found, goal))
+        if seed == 0:
+            seen = [picture(labs, scene, 256) for scene in (start, found, goal)]
+            path = save("taped", "start, found, goal", np.hstack(seen))
+    yield (f"from 30 degrees off to {', '.join(f'{end:.1f}' for end in ends)}", path,
+           ("7 of 8 under a degree", sum(end < 1 for end in ends) >= 7))
+
+
 def picture(labs, scene, size):
-    """A Scene of arrays or of Vars -> its picture. No step of it has a gradient of its own."""
+    """A Scene of arrays, or of Vars, as a picture (size, size, 3)."""
     vertices, faces = unit_bunny()
     turned = labs.tape.rotation(scene.turn).T
-    facing = labs.tape.on_tape("positive", (mesh.vertex_normals(vertices, faces) @ turned)
-                               @ scene.light)
-    colours = (facing[:, None] + AMBIENT) * BRASS
+    facing = mesh.vertex_normals(vertices, faces) @ turned @ scene.light
+    colours = (labs.tape.on_tape("positive", facing)[:, None] + AMBIENT) * BRASS
     shape = labs.pipeline.make_mesh(vertices, faces)._replace(
         positions=vertices @ turned + scene.move)
-    fixed = labs.transforms.perspective(np.pi / 2, 1.0, NEAR, FAR)
     zoom = np.diag([1.0, 1.0, 0.0, 0.0])
-    clip_from_world = (scene.focal * zoom + fixed * (1 - zoom)) @ labs.transforms.translate(
+    fixed = labs.transforms.perspective(np.pi / 2, 1.0, NEAR, FAR) * (1 - zoom)
+    clip_from_world = (scene.focal * zoom + fixed) @ labs.transforms.translate(
         np.array([0.0, 0.0, -DISTANCE]))
-    view = labs.pipeline.View(clip_from_world, size, size, BACKGROUND)
-    return labs.tape.render(shape, labs.pipeline.Colours(colours), view)
+    return labs.tape.render(shape, labs.pipeline.Colours(colours),
+                            labs.pipeline.View(clip_from_world, size, size, BACKGROUND))
 
 
-def gradient(labs, target):
-    """The function Scene -> loss, Scene of gradients, for a picture that is wanted."""
-    def of(scene):
-        tape = labs.tape.Tape([], [])
-        taped = Scene(*(labs.tape.Var(tape, part) for part in scene))
-        loss = labs.tape.on_tape("squared_error", picture(labs, taped, len(target)), target)
-        return loss.value, Scene(*labs.tape.gradients(loss, taped))
+def loss_of(labs, scene, target):
+    """A Scene of arrays -> its squared error, a Var, and the Scene of Vars on its tape."""
+    tape = labs.tape.Tape([], [])
+    scene = Scene(*(labs.tape.Var(tape, part) for part in scene))
+    return labs.tape.on_tape("squared_error", picture(labs, scene, len(target)), target), scene
 
-    return of
+
+def example(labs, seed, degrees=30):
+    """A goal at random, and a start so many degrees off -> two Scenes."""
+    rng = np.random.default_rng(seed)
+    turn, axis, light = mesh.unit(rng.normal(size=(3, 4)))
+    half = np.radians(degrees) / 2
+    off = np.append(np.cos(half), np.sin(half) * mesh.unit(axis[:3]))
+    light = 0.8 * mesh.unit(light[:3] * [1, 1, 0] + [0, 0, 0.5])  # from somewhere in front
+    goal = Scene(turn, rng.uniform(-0.2, 0.2, 3), np.array(rng.uniform(1.4, 2.0)), light)
+    return goal, Scene(labs.inverse_rendering.quaternion_product(off, turn), np.zeros(3),
+                       np.array(1.7), np.array([0.0, 0.0, 0.8]))
+
+
+def fit(labs, goal, start, stages=STAGES):
+    """Adam, in larger and larger pictures: yields the Scene after each step, and the loss."""
+    lab9, found = labs.inverse_rendering, start
+    for size, steps, rate in stages:
+        target = picture(labs, goal, size)
+
+        def gradient(scene, target=target):
+            loss, taped = loss_of(labs, scene, target)
+            return loss.value, Scene(*labs.tape.gradients(loss, taped))
+
+        rates = [Scene(rate, rate, 2 * rate, 2 * rate) for rate in lab9.decay(rate, 0.2, steps)]
+        for found, loss in lab9.descend(found, gradient, rates, project=normalized):
+            yield found, loss
+
+
+def normalized(scene):
+    return scene._replace(turn=mesh.unit(scene.turn))
+
+
+def degrees_off(labs, scene, goal):
+    return np.degrees(labs.inverse_rendering.rotation_angle(scene.turn, goal.turn))

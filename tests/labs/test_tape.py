@@ -110,9 +110,11 @@ def test_what_comes_along_several_ways_is_summed(impl):
 
 @exercise("9.17")
 def test_what_the_result_is_not_made_of_gets_nothing(impl):
-    """A step off the way is taken for one on it."""
-    steps = None, None, step(impl, "multiply", 0, 1), step(impl, "power", 1, 0)
-    assert_close(impl.backward(steps, (2.0, 3.0, 6.0, 9.0), 5.0), (0.0, 30.0, 0.0, 5.0))
+    """A step off the way is taken for one on it: its pair is given 0.0 for a matrix."""
+    matrix = np.array([[1.0, 2.0], [3.0, 5.0]])
+    steps = None, None, step(impl, "matmul", 0, 0), step(impl, "power", 1, 1)
+    grads = impl.backward(steps, (matrix, 3.0, matrix @ matrix, 27.0), 5.0)
+    assert_close(grads, (0.0, 135.0, 0.0, 5.0))
 
 
 @exercise("9.17")
@@ -135,6 +137,14 @@ def test_arrays_have_the_gradients_of_their_sums(impl, gradcheck, rng):
 
     gradcheck(lambda a, b, c: (a @ b) * c, backward,
               tuple(rng.normal(size=shape) for shape in ((2, 3), (3, 4), (4,))), name="backward")
+
+
+@exercise("9.17")
+def test_where_some_of_a_gradient_is_0_the_rest_goes_on(impl):
+    """A value counts as unused as soon as one number of its gradient is 0."""
+    steps = None, step(impl, "multiply", 0, 0)
+    values = np.array([3.0, 5.0]), np.array([9.0, 25.0])
+    assert_close(impl.backward(steps, values, np.array([0.0, 1.0]))[0], np.array([0.0, 10.0]))
 
 
 @exercise("9.17")
@@ -232,10 +242,20 @@ def test_a_ramp_on_a_texture_is_one_of_colours(impl, rng):
 
 
 @exercise("9.19")
+def test_half_a_level_is_half_of_each(impl):
+    """One pixel sees a texel of 1 among four, whose mean is 1/4: the levels are not those asked."""
+    ndc = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
+    lab9, image = impl.pipeline, np.array([[[1.0], [0.0]], [[0.0], [0.0]]])
+    uv = 0.25 + 0.5**0.5 * ndc[:, :2] / 2  # a pixel is as wide as 2 ** (1 / 2) texels: level 1/2
+    picture, _ = impl.render_and_back(
+        lab9.Mesh(ndc, *ALONE), lab9.Texture(uv, ALONE[0], image, "linear-mipmap-linear"),
+        lab9.View(np.eye(4), 1, 1, np.zeros(1)), np.zeros((1, 1, 1)))
+    assert_close(picture, np.full((1, 1, 1), 0.625))
+
+
+@exercise("9.19")
 def test_a_footprint_that_changes_changes_the_picture(impl, gradcheck, rng):
-    """The derivatives of the barycentrics are not on the tape: which mip level is seen, has no
-    gradient.
-    """
+    """The derivatives of the barycentrics are not on the tape: mip levels have no gradient."""
     texture = ramp(impl, UV, "linear-mipmap-linear")._replace(image=rng.normal(size=(8, 8, 2)))
 
     def forward(points):
