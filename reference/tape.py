@@ -16,7 +16,6 @@ formulas as ever. No loop over steps knows what a picture is.
 
 Sources: Baydin et al. 2018, (7) and (8); Shoemake 1985, (10).
 """
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -56,8 +55,8 @@ class Pair(NamedTuple):
     wrt: the numbers of the arguments that have gradients, in the order in which they are returned.
     """
 
-    forward: Callable
-    backward: Callable
+    forward: object
+    backward: object
     wrt: tuple
 
 
@@ -117,7 +116,7 @@ def on_tape(name, *arguments):
     >>> y.value, y.tape.steps
     (np.float64(15.0), [None, None, Step(pair='multiply', places=(0, 1))])
     """
-    value = PAIRS[name].forward(*map(value_of, arguments))
+    value = BY_NAME[name].forward(*map(value_of, arguments))
     tape = next((x.tape for x in arguments if isinstance(x, Var)), None)
     if tape is None:
         return value
@@ -185,22 +184,22 @@ def replay(steps, values):  # extra 9.16 (2 points)
     """Eq. (7), for all steps: the values of a tape whose given ones may have changed -> a tuple.
 
     values: one for each step. Where the step is None it is given, else it is an old one, or None.
-    `PAIRS[name].forward` is the function of that name.
+    `BY_NAME[name].forward` is the function of that name.
 
-    >>> replay((None, Step("multiply", (0, 0)), Step("add", (1, 0))), (3.0, None, None))
-    (3.0, 9.0, 12.0)
+    >>> replay((None, Step("multiply", (0, 0)), Step("add", (1, 0))), (3.0, None, None))[1:]
+    (np.float64(9.0), np.float64(12.0))
     """
     found = list(values)
     for place, step in enumerate(steps):
         if step is not None:
-            found[place] = PAIRS[step[0]].forward(*(found[k] for k in step[1]))
+            found[place] = BY_NAME[step[0]].forward(*(found[k] for k in step[1]))
     return tuple(found)
 
 
 def backward(steps, values, grad=1.0):  # extra 9.17 (4 points)
     """Eq. (8), for all steps: the gradient with respect to each value of a tape -> a tuple.
 
-    grad: that of the last value. 0.0 stands where nothing comes. `PAIRS[name]` has the field
+    grad: that of the last value. 0.0 stands where nothing comes. `BY_NAME[name]` has the field
     backward, which takes a gradient and then the arguments of the step. It returns the gradients
     for those whose numbers are in the field wrt: a tuple, or an array if it is one alone.
 
@@ -212,7 +211,7 @@ def backward(steps, values, grad=1.0):  # extra 9.17 (4 points)
     for place in reversed(range(len(steps))):
         if steps[place] is not None and np.any(grads[place]):
             name, places = steps[place]
-            pair = PAIRS[name]
+            pair = BY_NAME[name]
             parts = pair.backward(grads[place], *(values[k] for k in places))
             for argument, part in zip(pair.wrt, parts if isinstance(parts, tuple) else (parts,),
                                       strict=False):
@@ -245,7 +244,7 @@ def render(mesh, material, view):  # extra 9.19 (5 points)
 
     Any array of floats in mesh, material and view may be a Var. Call labs 1 to 8 by `on_tape`, but
     not what decides, `rasterize` and `walked_pairs`: they get values, and what they return is
-    given. The names are in PAIRS, the calls in `draw` and in pipeline's `shade` and `textured`.
+    given. The names are in BY_NAME, the calls in `draw` and in pipeline's `shade` and `textured`.
     """
     clip = on_tape("transform", on_tape("to_homogeneous", mesh.positions), view.clip_from_model)
     face_index, depth = rasterization.rasterize(value_of(clip), mesh.faces, view.width, view.height)
@@ -302,7 +301,7 @@ def blend_backward(grad, colour, pairs, clip):
 
 AXES = np.stack([inverse_rendering.cross_matrix(axis) for axis in np.eye(3)])
 
-PAIRS = {
+BY_NAME = {
     "add": Pair(np.add, add_backward, (0, 1)),
     "multiply": Pair(np.multiply, multiply_backward, (0, 1)),
     "power": Pair(np.power, lambda grad, a, n: grad * n * a ** (n - 1), (0,)),
