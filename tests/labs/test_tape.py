@@ -1,11 +1,8 @@
 """What the extras of lab 9 that build a tape must do."""
 import numpy as np
 import pytest
+
 from labkit.checks import assert_close, exercise
-
-
-def step(impl, pair, *places):
-    return impl.Step(pair, places)
 
 
 def summed_by_hand(grad, shape):
@@ -28,8 +25,7 @@ def test_what_lacks_axes_gets_the_sum_over_them(impl, rng, copied, shape):
 
 
 @exercise("9.14")
-@pytest.mark.parametrize(("copied", "shape"), [((3, 4), (3, 1)), ((2, 3, 4), (1, 3, 1)),
-                                               ((2, 3, 4), (3, 1)), ((3, 1), (3, 1))])
+@pytest.mark.parametrize(("copied", "shape"), [((2, 3, 4), (1, 3, 1)), ((2, 3, 4), (3, 1))])
 def test_an_axis_of_size_1_stays_and_gets_the_sum(impl, rng, copied, shape):
     """The axis is lost; only the first such axis is summed; an axis that is lacking shifts it."""
     grad = rng.normal(size=copied)
@@ -37,12 +33,6 @@ def test_an_axis_of_size_1_stays_and_gets_the_sum(impl, rng, copied, shape):
 
 
 # --- multiply_backward -------------------------------------------------------------------------
-
-@exercise("9.15")
-def test_each_factor_gets_the_other_one(impl):
-    """The factors are swapped, or grad is left out."""
-    assert_close(impl.multiply_backward(2.0, 3.0, 5.0), (10.0, 6.0))
-
 
 @exercise("9.15")
 @pytest.mark.parametrize("shapes", [((3, 4), (4,)), ((3, 1), (3, 4)), ((), (2, 3)), ((2,), (2,))])
@@ -78,30 +68,21 @@ def test_what_is_taken_twice_gets_both(impl):
     assert_close(impl.take_backward(grad, np.ones((3, 2)), index), expected)
 
 
-@exercise("9.17")
-@pytest.mark.parametrize(("index", "expected"), [
-    (1, [0.0, 5.0, 0.0]), (np.array([True, False, True]), [5.0, 0.0, 6.0])])
-def test_a_number_or_a_mask_takes_too(impl, index, expected):
-    """Only arrays of integers are allowed for."""
-    grad = np.array([5.0, 6.0]) if np.ndim(index) else 5.0
-    assert_close(impl.take_backward(grad, np.ones(3), index), np.array(expected))
-
-
 # --- replay ------------------------------------------------------------------------------------
 
 @exercise("9.18")
 def test_steps_are_done_in_their_order(impl):
     """Arguments are swapped, or are what they were when the tape was made."""
-    steps = None, None, step(impl, "power", 0, 1), step(impl, "multiply", 2, 0)
+    steps = None, None, impl.Step("power", (0, 1)), impl.Step("multiply", (2, 0))
     assert_close(impl.replay(steps, (2.0, 3.0, 1.0, 1.0)), (2.0, 3.0, 8.0, 16.0))
 
 
 @exercise("9.18")
-def test_a_lab_s_own_pair_is_played_like_any_other(impl, rng):
+def test_labs_are_played_like_products(impl, rng):
     """Only numbers are allowed for."""
     points, matrix = rng.normal(size=(3, 4)), rng.normal(size=(4, 4))
-    steps = None, None, step(impl, "transform", 0, 1)
-    assert_close(impl.replay(steps, (points, matrix, None))[2], points @ matrix.T)
+    found = impl.replay((None, None, impl.Step("transform", (0, 1))), (points, matrix, None))
+    assert_close(found[2], points @ matrix.T)
 
 
 # --- backward ----------------------------------------------------------------------------------
@@ -112,15 +93,15 @@ def test_a_value_that_is_used_twice_gets_both(impl):
     is 0, the others go no further.
     """
     values = np.array([3.0, 5.0]), np.array([9.0, 25.0])
-    grads = impl.backward((None, step(impl, "multiply", 0, 0)), values, np.array([0.0, 1.0]))
+    grads = impl.backward((None, impl.Step("multiply", (0, 0))), values, np.array([0.0, 1.0]))
     assert_close(grads, (np.array([0.0, 10.0]), np.array([0.0, 1.0])))
 
 
 @exercise("9.19")
 def test_what_comes_along_several_ways_is_summed(impl):
     """u = x x, y = u u + u: u goes on before all of its own gradient has come. At 2, y' is 36."""
-    steps = (None, step(impl, "multiply", 0, 0), step(impl, "multiply", 1, 1),
-             step(impl, "add", 2, 1))
+    square = "multiply", "multiply", "add"
+    steps = None, *map(impl.Step, square, ((0, 0), (1, 1), (2, 1)))
     for _ in range(2):  # a second time it is the same, not twice as much
         assert_close(impl.backward(steps, (2.0, 4.0, 16.0, 20.0)), (36.0, 9.0, 1.0, 1.0))
 
@@ -128,7 +109,7 @@ def test_what_comes_along_several_ways_is_summed(impl):
 @exercise("9.19")
 def test_what_the_result_is_not_made_of_gets_nothing(impl):
     """A step off the way is taken for one on it: its pair is given 0.0 for a matrix."""
-    steps = None, None, step(impl, "matmul", 0, 0), step(impl, "power", 1, 1)
+    steps = None, None, impl.Step("matmul", (0, 0)), impl.Step("power", (1, 1))
     grads = impl.backward(steps, (np.eye(2), 3.0, np.eye(2), 27.0), 5.0)
     assert_close(grads, (0.0, 135.0, 0.0, 5.0))
 
@@ -136,7 +117,7 @@ def test_what_the_result_is_not_made_of_gets_nothing(impl):
 @exercise("9.19")
 def test_a_chain_of_4000_steps_has_an_end(impl):
     """It calls itself: Python allows for about a thousand calls within each other."""
-    steps = None, None, *(step(impl, "multiply", place, 1) for place in (0, *range(2, 4001)))
+    steps = None, None, *(impl.Step("multiply", (place, 1)) for place in (0, *range(2, 4001)))
     grads = impl.backward(steps, (2.0, 1.0, *[2.0] * 4000))
     assert_close((grads[0], grads[1]), (1.0, 8000.0))
 
@@ -144,7 +125,7 @@ def test_a_chain_of_4000_steps_has_an_end(impl):
 @exercise("9.19")
 def test_arrays_have_the_gradients_of_their_sums(impl, gradcheck, rng):
     """grad is taken for ones; the second gradient of a pair goes to the first argument."""
-    steps = None, None, None, step(impl, "matmul", 0, 1), step(impl, "multiply", 3, 2)
+    steps = None, None, None, impl.Step("matmul", (0, 1)), impl.Step("multiply", (3, 2))
     gradcheck(lambda a, b, c: (a @ b) * c,
               lambda grad, a, b, c: impl.backward(steps, (a, b, c, a @ b, None), grad)[:3],
               tuple(rng.normal(size=shape) for shape in ((2, 3), (3, 4), (4,))), name="backward")
@@ -153,7 +134,7 @@ def test_arrays_have_the_gradients_of_their_sums(impl, gradcheck, rng):
 @exercise("9.19")
 def test_a_gradient_goes_to_the_argument_that_wrt_names(impl):
     """The gradients are taken for those of the first arguments: here face_index comes first."""
-    steps = None, None, None, step(impl, "barycentrics", 0, 1, 2)
+    steps = None, None, None, impl.Step("barycentrics", (0, 1, 2))
     clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -1.0, 0.0, 1.0], [-1.0, 3.0, 0.0, 1.0]])
     values = np.zeros((1, 1), int), clip, np.array([[0, 1, 2]]), None
     grads = impl.backward(steps, values, np.ones((1, 1, 3)) * [1.0, 2.0, 3.0])
