@@ -182,7 +182,7 @@ def matmul_backward(grad, a, b):  # extra 9.16 (2 points)
 def take_backward(grad, a, index):  # extra 9.17 (1 point)
     """Backward of a[index], a gather: grad, of the shape of a[index] -> grad_a, of that of a.
 
-    index: a number, an array of integers, of which some may be equal, or of booleans.
+    index: an array of integers, of which some may be equal.
 
     >>> take_backward(np.array([1.0, 2.0, 4.0]), np.array([7.0, 8.0, 9.0]), np.array([2, 0, 2]))
     array([2., 0., 5.])
