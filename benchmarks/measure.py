@@ -21,8 +21,6 @@ from course.given import mesh
 from labkit import places
 from reference import transforms
 
-FACES = 1_000, 10_000, 100_000
-SIZES = 256, 512, 1024, 2048
 RUNS = 9
 CLIP_FROM_WORLD = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0) @ transforms.translate(
     np.array([0.0, 0.0, -3.0]))

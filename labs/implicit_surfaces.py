@@ -294,7 +294,7 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.6 (4 poi
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
     The other inputs are those of `volume_render`. Lecture 15 has dC / dtau of one sample, tau =
-    density times spacing. The demo `fit_volume` finds a ball by it.
+    density times spacing. Lecture 15 finds a ball in a ring by it.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])

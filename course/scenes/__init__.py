@@ -16,6 +16,7 @@
     fit_cube           a cube's shape and colours, from tiny pictures
     fit_pose           how a known cube is turned
     fit_texture        a globe's texture, with and without mipmaps
+    taped              pose, zoom and light of the bunny, from one picture
     fit_bunny          a ball becomes the bunny
     cubes              faces with texture cubes, and a ball that finds its place
     fit_outlines       one silhouette, three gradients

@@ -16,16 +16,14 @@ from ..given.whose import Labs, Lacking, exercises_named
 from . import own
 
 SCENES = ("bunny", "ties", "cut", "aliasing", "msaa", "floor", "fit_vertices", "borders",
-          "fit_triangle", "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "cubes",
-          "fit_outlines", "rounded", "house", "cage", "simplified", "smoothed", "relaxation",
-          "large_steps", "shadow", "light_from_shadow", "still_life", "representations", "hole",
-          "fit_volume", "reconstruct", "paint_and_light",
+          "fit_triangle", "taped", "fit_bunny", "cubes", "rounded", "house", "cage", "simplified",
+          "smoothed", "relaxation", "large_steps", "shadow", "light_from_shadow", "still_life",
+          "representations", "hole", "reconstruct", "paint_and_light",
           "tiles")  # in the order of the labs
 FILES = {"bunny": "portrait", "ties": "small", "cut": "small", "borders": "small",
          "rounded": "levels", "house": "levels", "cage": "levels", "simplified": "levels",
          "smoothed": "relaxation", "light_from_shadow": "shadow"}  # others have their name
-SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
-        "still_life", "fit_volume", "reconstruct", "paint_and_light")
+SLOW = ("taped", "fit_bunny", "large_steps", "still_life", "reconstruct", "paint_and_light")
 TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.photo,
          "rounded": functools.partial(own.surface, most=10_000),
          "simplified": functools.partial(own.shape, most=50_000),

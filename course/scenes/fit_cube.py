@@ -1,11 +1,9 @@
 """A cube's shape and colours from tiny pictures (lab 9), as in nvdiffrast's sample."""
-import time
 from typing import NamedTuple
 
 import numpy as np
-from rich.progress import track
 
-from .drawing import SIZE, descended, enlarged, on_black, save
+from .drawing import descended, on_black
 from .viewing import random_pose
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
@@ -23,25 +21,6 @@ class Cube(NamedTuple):
 
 
 TRUTH = Cube(CORNERS - 0.5, CORNERS)
-
-
-def fit_cube(labs):
-    """A cube's shape and colours from tiny pictures (lab 9)."""
-    for size, goal in (16, 0.001), (8, 0.01), (4, None):
-        seeds, start = range(5), time.process_time()
-        fitted = [fit(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
-        seconds = (time.process_time() - start) / len(seeds)
-        last, settled = np.sort([(errors[-1], np.median(errors[-100:])) for errors, *_ in fitted],
-                                axis=0).T
-        median = np.median(last)
-        yield (f"{size} x {size}: error {median:.5f}", None,
-               (f"{goal}", median <= goal) if goal else ("none: it need not converge", True))
-        yield f"  {last[0]:.5f} to {last[-1]:.5f}, {seconds:.1f} s each", None
-        yield f"  median of the last 100 steps {np.median(settled):.5f}", None
-        pose = camera(labs) @ labs.transforms.rotate(np.array([1.0, 1.0, 0.2]), 0.9)
-        seen = [enlarged(shown(labs, TRUTH, pose, size), SIZE // 2 // size),
-                *(shown(labs, cube, pose, SIZE // 2) for cube in (fitted[0][2], TRUTH))]
-        yield "  a picture, the fit, the truth", save("fit_cube", f"{size}", np.hstack(seen))
 
 
 def fit(labs, size, seed, steps=1000):

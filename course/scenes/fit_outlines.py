@@ -3,50 +3,12 @@
 An outline is a function (labs, clip, faces, size) -> picture (size, size), and its backward pass, a
 function grad_picture -> grad_clip (V, 4).
 """
-import functools
-import time
-
 import numpy as np
 
 from ..given import image, mesh
 from . import fit_triangle
-from .drawing import SIZE, descended, enlarged, save, seen_mask
+from .drawing import descended, seen_mask
 from .viewing import clip_from_world
-
-
-def fit_outlines(labs):
-    """A triangle and a teapot's silhouette by three gradients (lab 10)."""
-    for name, settings in (("sweep", {}), ("sweep", {"eps": 1e-2}), ("soft", {}),
-                           ("soft", {"sigma": 0.5}), ("blend", {})):
-        title = " ".join([name, *(f"{key} {value:g}" for key, value in settings.items())])
-        outline = functools.partial(OUTLINES[name], **settings)
-        yield from triangle_found(labs, title, outline)
-        yield from teapot_found(labs, title, outline)
-
-
-def triangle_found(labs, title, outline):
-    """The triangle's fit by an outline, and how fast it got there."""
-    start = time.process_time()
-    x = triangle(labs, outline)
-    off = np.linalg.norm(x - fit_triangle.TEMPLATE, axis=2).max(1)
-    near = np.flatnonzero(off < 1)
-    yield f"{title}: triangle, {time.process_time() - start:.1f} s", None
-    seen = enlarged(fit_triangle.over(labs, fit_triangle.template(labs), x), 8)
-    yield (f"  {off[-1]:.2f} px off, 1 px after {near[0] if len(near) else '-'} steps",
-           save("fit_outlines", f"triangle {title}", seen))
-
-
-def teapot_found(labs, title, outline):
-    """The teapot's fit by an outline, and how near it came."""
-    start = time.process_time()
-    path, faces = teapot(labs, outline)
-    yield f"  teapot, {time.process_time() - start:.1f} s", None
-    seen = [seen_mask(labs, vertices, faces, teapot_camera(labs), SIZE // 2)
-            for vertices in path[[0, 20, -1]]]
-    mask = teapot_mask(labs, SIZE // 2)
-    seen = [1 - 0.5 * mask[..., None] - 0.5 * a[..., None] * [0, 0.5, 1] for a in seen]
-    yield (f"  IoU {teapot_iou(labs, path[-1], faces):.3f}",
-           save("fit_outlines", f"teapot {title}", np.hstack(seen)))
 
 
 def sweep_outline(labs, clip, faces, size, eps=1e-4):

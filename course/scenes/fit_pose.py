@@ -2,58 +2,15 @@
 
 The cube has 24 vertices, so that each side has a colour of its own.
 """
-import time
-
 import numpy as np
-from rich.progress import track
 
-from .drawing import SIZE, descended, on_black, save
+from .drawing import descended, on_black
 from .fit_cube import CORNERS, HALVES, SQUARES, camera
 
 BLOCK = CORNERS[SQUARES].reshape(24, 3) - 0.5
 FACES = np.arange(24).reshape(6, 4)[:, HALVES].reshape(12, 3)
 COLOURS = np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1],
                     [1, 1, 0], [1, 0, 1], [0, 1, 1]]).repeat(4, 0)
-
-
-def fit_pose(labs):
-    """How a cube is rotated: search, then gradient (lab 9)."""
-    still = symmetries()[:1]
-    for name, title, seeds, settings in (
-            ("search", "search by symmetries", range(10), {}),
-            ("trapped", "search without them", range(10), {"allowed": still}),
-            ("gradient", "no search", range(10), {"proposals": 0})):
-        start = time.process_time()
-        fitted = [fit(labs, seed, **settings) for seed in track(seeds, transient=True)]
-        seconds = (time.process_time() - start) / len(fitted)
-        yield f"{title}, {seconds:.1f} s each:", None
-        yield from judged(labs, fitted, [8] if name == "search" else [])
-        yield "  worst: start, fit, truth", save("fit_pose", name, worst(labs, fitted))
-
-
-def judged(labs, fitted, least):
-    """How many of the fits are near, and how far off the others are. least: [a goal] or []."""
-    angles = degrees_off(labs, fitted)
-    near, far = angles[angles < 0.01], np.sort(angles[angles >= 0.01])
-    reached = [(f"{count}", len(near) >= count) for count in least]
-    yield f"  {len(near)} of {len(fitted)} under 0.01 degrees", None, *reached
-    if len(near):
-        yield f"  they are up to {near.max():.4f} off", None
-    if len(far):
-        yield "  " + " ".join(f"{angle:.0f}" for angle in far) + " degrees off", None
-
-
-def worst(labs, fitted):
-    """Start, end and goal of the fit that ended farthest off, side by side."""
-    rotations, goal = fitted[np.argmax(degrees_off(labs, fitted))]
-    pictures = [seen(labs, q, SIZE // 2)[0] for q in (rotations[0], rotations[-1], goal)]
-    return np.clip(np.hstack(pictures), 0, 1)
-
-
-def degrees_off(labs, fitted):
-    """How many degrees each fit's last rotation differs from its goal."""
-    return np.degrees([labs.inverse_rendering.rotation_angle(rotations[-1], goal)
-                       for rotations, goal in fitted])
 
 
 def fit(labs, seed, proposals=400, allowed=None, stages=((64, 40, 5e-3), (256, 40, 3e-4))):

@@ -3,26 +3,9 @@
 import numpy as np
 
 from ..given import image
-from .drawing import enlarged, save
 from .viewing import directions, random_pose
 
 SAMPLES = 4  # along each side of a pixel, in the views that are given
-
-
-def fit_texture(labs):
-    """A globe's texture from 800 far and near views (lab 9)."""
-    truth = planet(128)
-    given = views(labs, truth, 800)
-    yield "views, 64 x 64 pixels", save("fit_texture", "truth", enlarged(truth, 4))
-    decibels = []
-    for name, filter_mode, best_rate in (  # of 0.01, 0.02, 0.03, 0.05, 0.1
-            ("without", "linear", 0.03), ("with", "linear-mipmap-linear", 0.02)):
-        course, texture = fit(labs, truth, given, filter_mode, first_rate=best_rate)
-        decibels.append(course[-1])
-        yield (f"{name} mipmaps: {course[-1]:.2f} dB",
-               save("fit_texture", name, enlarged(np.clip(texture, 0, 1), 4)))
-    difference = decibels[1] - decibels[0]
-    yield f"difference {difference:.2f} dB", None, ("1.3", difference >= 1.3)
 
 
 def fit(labs, truth, views, filter_mode, size=64, first_rate=1e-2):

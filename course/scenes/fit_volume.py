@@ -3,10 +3,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import image
-from .drawing import SIZE, WHITE, enlarged, save, smooth
-from .representations import wheel_camera
-from .viewing import cameras_around
+from .drawing import WHITE
 
 SATURN = ("union", ("torus", 0.68, 0.22), ("sphere", 0.32))
 
@@ -24,30 +21,6 @@ class Volume(NamedTuple):
 
     density: np.ndarray
     colour: np.ndarray
-
-
-def fit_volume(labs):
-    """Density and colour in a grid, found from 30 pictures (lab 15)."""
-    lab15, n, size = labs.marching_tetrahedra, 24, 32
-    rays = saturn_rays(labs, cameras_around(labs, 30, longitude=0.2), size)
-    yield f"30 views, {size} x {size} pixels", None
-    for volume, _ in fit(labs, rays, n, 500):  # noqa: B007
-        pass
-    yield "500 steps", None
-    new = saturn_rays(labs, cameras_around(labs, 3, longitude=0.7), size)
-    picture = seen(labs, new, volume)
-    off = image.decibels(np.mean((picture - new.colours)**2))
-    yield f"three new views: {off:.1f} dB", None
-    sheet = np.concatenate([colours.reshape(3, size, size, 3).swapaxes(0, 1).reshape(size, -1, 3)
-                            for colours in (new.colours, picture)])
-    yield "fit, and truth below", save("fit_volume", "views", enlarged(np.clip(sheet, 0, 1), 5))
-
-    points, tetrahedra = lab15.tetrahedral_grid(n)
-    outside = surface(volume.density, points)
-    vertices, faces, _ = lab15.marching_tetrahedra(points, outside, tetrahedra)
-    clip = labs.pipeline.to_clip(vertices, wheel_camera(labs))
-    yield (f"its mesh: {len(faces):,} faces",
-           save("fit_volume", "mesh", smooth(labs, vertices, faces, clip, SIZE // 2)))
 
 
 def fit(labs, rays, n, steps, seed=0, batch=1000):

@@ -1,4 +1,4 @@
-"""The benchmarks' page: the README of benchmarks/, two tables of its results, and all of these."""
+"""The benchmarks' page: the README of benchmarks/, a table of its results, and all of these."""
 import json
 
 from benchmarks.measure import text as number
@@ -8,8 +8,6 @@ from . import put
 from .texts_links import linked, with_pictures
 
 SCRIPTS = ROOT / "benchmarks"
-STAGES = ("rasterize", "barycentrics", "interpolate", "antialias", "d antialias", "d interpolate",
-          "d barycentrics", "render", "d render")
 RENDERERS = "NumPy", "compiled", "DRTK", "DEODR"
 
 
@@ -22,22 +20,16 @@ def write(folder, extra):
     links = ", ".join(f'<a href="benchmarks/{name}.json">{name}</a>' for name in found)
     readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), "benchmarks", extra)
     put(folder / "benchmarks.md", linked(readme, "benchmarks")
-        + tables(found["pipeline"], found["peers"]) + f"\n## All results\n\n{links}.\n")
+        + table(found["peers"]) + f"\n## All results\n\n{links}.\n")
 
 
-def tables(pipeline, peers):
-    """The pipeline's stages, backward with a "d", and a picture with its gradient by others."""
-    both = [row for row in peers["milliseconds"]
+def table(peers):
+    """A picture with its gradient by several renderers: a line each, a column for each count."""
+    rows = [row for row in peers["milliseconds"]
             if row["work"] == "both ways" and row["pixels"] == 512**2]
-    return (table("A picture and its gradient (d), stage by stage", pipeline,
-                  pipeline["medians in ms"]["faces"], STAGES)
-            + table("A picture and its gradient, by several renderers", peers, both, RENDERERS))
-
-
-def table(title, result, rows, names):
-    """A section with a line for each name, and a column for each number of faces."""
     lines = [["faces", *(f"{row['faces']:,}" for row in rows)], ["---", *["---:"] * len(rows)],
-             *([name, *(number(row[name]) for row in rows)] for name in names)]
-    return (f"\n## {title}\n\nMilliseconds for 512 x 512 pixels, {result['processor']}, NumPy "
-            f"{result['numpy']}, {result['date']}.\n\n"
+             *([name, *(number(row[name]) for row in rows)] for name in RENDERERS)]
+    return ("\n## A picture and its gradient, by several renderers\n\n"
+            f"Milliseconds for 512 x 512 pixels, {peers['processor']}, NumPy "
+            f"{peers['numpy']}, {peers['date']}.\n\n"
             + "".join(f"| {' | '.join(line)} |\n" for line in lines))
