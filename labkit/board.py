@@ -128,7 +128,9 @@ def title_row(number, topic, board):
     """A lab, its own topic, its points, and a bar that shows these."""
     reached, of = verdicts.points([entry for entry in board
                                    if exercises.lab_number(entry.topic) == number])
-    bar = ("#" * int(BAR * reached / max(of, 1))).ljust(BAR, ".")
+    if not of:
+        return f"Lab {number}", topic
+    bar = ("#" * int(BAR * reached / of)).ljust(BAR, ".")
     return f"Lab {number}", topic, f"{reached:g} of {of}", bar
 
 
@@ -144,7 +146,7 @@ def next_to_do(entries, implementation, seed):
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
     lines = [headline(entry, wrong)]
-    if entry.verdict == "failing" and entry.claims[1] and not entry.extra:
+    if entry.verdict == "failing" and entry.claims[0] and not entry.extra:
         lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
@@ -210,8 +212,9 @@ def ways_on(entry, implementation, seed):
     yield "read", reading(entry, folder(implementation))
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"
-        if entry.verdict == "not started":
-            solution = f"{COMMAND} close {entry.number} --core puts it in; {solution}"
+        if entry.verdict == "not started" or entry.blocked_by:
+            puts_in = f"{COMMAND} close {entry.blocked_by or entry.number} --core puts it in"
+            solution = puts_in if entry.blocked_by else f"{puts_in}; {solution}"
         yield "stuck", solution
 
 

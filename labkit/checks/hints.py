@@ -109,11 +109,15 @@ def pattern(checks):
 def known_mistake(exercise, found):
     """"this is what comes out when ...": the known mistake that has the Pattern found, or None.
 
-    All that it fails is failed, with the same numbers, and nothing else. Fewer than ENOUGH numbers
-    can be the same by chance.
+    All that it fails is failed, with the same numbers, and nothing else. Or it is two that do this
+    together. Fewer than ENOUGH numbers can be the same by chance.
     """
-    said = [sentence for sentence, failed in known_mistakes().get(exercise, ())
+    listed = known_mistakes().get(exercise, ())
+    said = [sentence for sentence, failed in listed
             if found.numbers and agree(failed, found.failed)]
+    if both := known_mistakes().get(f"{exercise} twice", {}).get(digest(found.failed)):
+        one, other = (listed[number][0] for number in both)
+        said += [f"two things are wrong at once. One: {one}. The other: {other}"]
     if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
         return None
     certain = found.numbers >= ENOUGH and OTHER not in found.failed.values()
@@ -123,14 +127,58 @@ def known_mistake(exercise, found):
 def agree(known, found):
     """Do both fail the same checks, with the same numbers where these can be compared?"""
     return known.keys() == found.keys() and all(
-        came in (known[check], OTHER) for check, came in found.items())
+        came == OTHER or whole(came) == whole(known[check]) for check, came in found.items())
+
+
+def digest(failed):
+    """Ten letters for all that a Pattern's failed checks were returned."""
+    told = repr(sorted((check, whole(mark)) for check, mark in failed.items()))
+    return hashlib.sha256(told.encode("utf-8")).hexdigest()[:10]
+
+
+def in_part(exercise, found):
+    """"in output 2 this may be what comes out when ...", of one or two known mistakes, or None.
+
+    All checks that they fail are failed. What came is theirs in a part, wherever they spoil it.
+    """
+    named = {}
+    for sentence, failed in known_mistakes().get(exercise, ()):
+        if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
+            named.setdefault(" and ".join(dict.fromkeys(places)), []).append(sentence)
+    clear = [(where, said) for where, said in named.items() if len(said) == 1]
+    if len(clear) > 2:
+        return None
+    return "; ".join(f"{where} this may be what comes out when {said}"
+                     for where, [said] in sorted(clear)) or None
+
+
+def alike(known, found):
+    """The parts in which a wrong answer does as a known mistake, in words: in output 2."""
+    same = {}
+    for check, mark in known.items():
+        if mark and found[check] != OTHER:
+            came = (found[check] or "").split()
+            same.setdefault("", []).append(whole(mark) in came)
+            for part in mark.split()[1:]:
+                same.setdefault(part.partition(":")[0], []).append(part in came)
+    checks = same.pop("", [])
+    places = [place for place, are in same.items() if all(are)]
+    if not places and 2 <= sum(checks) > len(checks) / 2:
+        return [f"in {sum(checks)} of {len(found)} checks"]
+    return [f"in output {place}" if "." not in place else "in [..., {1}]".format(*place.split("."))
+            for place in places if place.partition(".")[0] not in places or "." not in place]
+
+
+def whole(mark):
+    """The fingerprint of all that was returned, without those of its parts."""
+    return mark and mark.partition(" ")[0]
 
 
 def hint(exercise, checks):
     """The hint that holds for all these Checks, those of an exercise that fail, or None.
 
-    A known mistake explains all of them. A suspicion is certain of one, or else that of several,
-    and no other speaks against it.
+    A known mistake explains all of them, or two do. A suspicion is certain of one, or else that of
+    several, and no other speaks against it. Where it tells no cause, mistakes explain a part.
     """
     found = pattern(checks)
     if any("changed its input" in check.message for check in checks):
@@ -139,7 +187,8 @@ def hint(exercise, checks):
         return known
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
-    return told(said, sure=any(one.certain for one in said))
+    suspected = told(said, sure=any(one.certain for one in said))
+    return suspected if is_sure(suspected or "may be") else in_part(exercise, found) or suspected
 
 
 def told(said, sure):
@@ -171,7 +220,7 @@ def kernel(sentence):
 
 def is_sure(said):
     """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
-    return "may be" not in said and not re.search(rf"(times what was|more than|less than) expected"
+    return "may be that" not in said and not re.search(rf"(times what was|more than|less than) expected"
                                                   rf"({PLACE})?$", said)
 
 
@@ -204,7 +253,22 @@ def fingerprint_and_count(nodeid, returned, compared=None):
         returned = compared.got
     if returned is None or count(returned) > MOST:
         return None, 0
-    return fingerprint(nodeid, returned), count(returned)
+    marks = [fingerprint(nodeid, returned)]
+    marks += [f"{place}:{fingerprint(nodeid + place, part)[:6]}" for place, part in parts(returned)]
+    return " ".join(marks), count(returned)
+
+
+def parts(returned):
+    """Yield (place, part): "2" and output 2 of several, "2.0" and its column 0 of up to 4.
+
+    What has less than ENOUGH numbers is left out, as it may be the same by chance.
+    """
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    for number, output in enumerate(map(as_array, outputs), 1):
+        width = output.shape[-1] if output.ndim > 1 and output.dtype.kind in "fc" else 0
+        columns = [(f"{number}.{k}", output[..., k]) for k in range(width if width < 5 else 0)]
+        found = [(str(number), output)] * (len(outputs) > 1) + columns * (width > 1)
+        yield from (pair for pair in found if count(pair[1]) >= ENOUGH)
 
 
 def count(returned):

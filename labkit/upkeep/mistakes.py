@@ -19,12 +19,14 @@ what their mistakes returned to the checks that caught them, as fingerprints, wi
 `run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
 import ast
+import contextlib
+import itertools
 import json
 import textwrap
 from typing import NamedTuple
 
 from .. import exercises, places
-from ..checks.hints import HINTS, known_mistakes, pattern
+from ..checks.hints import HINTS, digest, known_mistakes, pattern
 from ..checks.showing import plural
 from . import changes
 from .trials import Trial, caught_by
@@ -88,9 +90,20 @@ def library(topic):
     return sorted(found, key=lambda mistake: asked.index(mistake.exercise))
 
 
-def tried(topic):
+def twice(topic):
+    """Yield the Mistake of each two changes that can be made at once; its sentence is both."""
+    entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
+    for exercise in exercises.topic_exercises(topic):
+        listed = [entry for entry in entries if entry.number == exercise.number]
+        for one, other in itertools.combinations(listed, 2):
+            both = one._replace(changes=one.changes + other.changes)
+            with contextlib.suppress(ValueError):  # they change the same place
+                [text] = changes.wrong_functions(topic, exercise, [both])
+                yield Mistake(topic, exercise, text, (one.said, other.said))
+
+
+def tried(topic, mistakes):
     """[(Mistake, [Check that caught it])]."""
-    mistakes = library(topic)
     trials = [Trial(mistake.exercise, mistake.text) for mistake in mistakes]
     return list(zip(mistakes, caught_by(topic, trials, all_checks=True), strict=True))
 
@@ -110,6 +123,22 @@ def patterns(found):
     return kept
 
 
+def doubles(found, singles):
+    """{digest: the numbers of two sentences in singles} of what `tried` gives of `twice`.
+
+    One that does as a single mistake, or as two others, is left out.
+    """
+    number = {sentence: k for k, (said, _) in enumerate(singles)
+              for sentence in said.split(", or when ")}
+    kept = {digest(failed): () for _, failed in singles}
+    for mistake, caught in found:
+        failed = pattern(caught).failed
+        if any(failed.values()) and {*mistake.sentence} <= number.keys():
+            pair = sorted(number[sentence] for sentence in mistake.sentence)
+            kept[digest(failed)] = pair if kept.get(digest(failed), pair) == pair else ()
+    return {mark: pair for mark, pair in kept.items() if len({*pair}) == 2}
+
+
 def run(target=None):
     """Try all mistakes, or those of a topic or a lab, and write tests/labs/hints.json.
 
@@ -117,11 +146,14 @@ def run(target=None):
     """
     made, alive = dict(known_mistakes()) if target else {}, []
     for topic in exercises.asked_for(target)[0]:
-        found = tried(topic)
+        found = tried(topic, [*library(topic), *twice(topic)])
         asked = list(dict.fromkeys(mistake.exercise for mistake, _ in found))
         for exercise in asked:
-            own = [pair for pair in found if pair[0].exercise == exercise]
-            made[exercise.number] = patterns(own)
+            own = [[pair for pair in found if pair[0].exercise == exercise
+                    and isinstance(pair[0].sentence, kind)] for kind in (str, tuple)]
+            made[exercise.number] = patterns(own[0])
+            made[f"{exercise.number} twice"] = doubles(own[1], made[exercise.number])
+        found = [pair for pair in found if isinstance(pair[0].sentence, str)]
         alive += [mistake for mistake, caught in found if not caught]
         print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
               f"in {plural(len(asked), 'exercise')}")
@@ -129,13 +161,16 @@ def run(target=None):
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     places.write_whole(HINTS, as_json(made).encode("utf-8"))
-    print(f"{plural(sum(map(len, made.values())), 'sentence')} in tests/labs/hints.json")
+    said = sum(len(known) for known in made.values() if isinstance(known, list))
+    print(f"{plural(said, 'sentence')} in tests/labs/hints.json")
     return int(bool(alive))
 
 
 def as_json(made):
     """JSON with one line for each sentence, so that a diff shows the mistake that changed."""
-    blocks = [f"{json.dumps(number)}: [\n"
-              + ",\n".join(json.dumps(known, sort_keys=True) for known in made[number]) + "\n]"
-              for number in sorted(made)]
+    blocks = []
+    for number in sorted(made):
+        lines = made[number] if isinstance(made[number], list) else [made[number]]
+        text = ",\n".join(json.dumps(line, sort_keys=True) for line in lines)
+        blocks.append(f"{json.dumps(number)}: " + (f"[\n{text}\n]" if lines is made[number] else text))
     return "{\n" + ",\n".join(blocks) + "\n}\n"
