@@ -99,7 +99,9 @@ def files(asked, released, extra):
     for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
-            yield name, path.read_bytes()
+            linked = path.match("notebooks/*.md")
+            yield name, (unlinked(exercises.read(path), asked).encode() if linked
+                         else path.read_bytes())
     yield from labs_of(asked, released, extra)
     for topic in came_along(asked):
         path = exercises.reference(topic)
@@ -207,7 +209,7 @@ def without_marks(text):
 
 
 def unlinked(text, asked):
-    """A notebook whose links to what is not handed out are their words alone."""
+    """A lecture, or a page beside it, whose links to what is not handed out are words alone."""
     there = {path.name for path in [*lectures(asked), *places.ROOT.glob("notebooks/00*")]}
     return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb|\.\./site/README\.md)[^)]*\)",
                   lambda link: link[0] if link[2] in there else link[1], text)
