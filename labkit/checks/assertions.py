@@ -95,7 +95,8 @@ def assert_refused(function, *args):
 
 
 def given_row(given):
-    return [] if given is None else [("given", given if isinstance(given, str) else shown(given))]
+    is_case = isinstance(given, str)  # beside the call, which is shown, too
+    return [] if given is None else [("case", given) if is_case else ("given", shown(given))]
 
 
 def compare(got, expected, rows, kinds, agrees, allowed, picture=False):

@@ -7,6 +7,7 @@ named only where a student's answer fails the same checks with the same numbers,
 """
 import functools
 import hashlib
+import itertools
 import json
 import math
 import re
@@ -139,34 +140,48 @@ def digest(failed):
 def in_part(exercise, found):
     """"in output 2 this may be what comes out when ...", of one or two known mistakes, or None.
 
-    All checks that they fail are failed. What came is theirs in a part, wherever they spoil it.
+    All checks that they fail are failed. What came is theirs in a part, wherever they spoil it. Of
+    columns, no other is wrong.
     """
     named = {}
     for sentence, failed in known_mistakes().get(exercise, ()):
         if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
-            named.setdefault(" and ".join(dict.fromkeys(places)), []).append(sentence)
-    clear = [(where, said) for where, said in named.items() if len(said) == 1]
-    if len(clear) > 2:
-        return None
-    return "; ".join(f"{where} this may be what comes out when {said}"
-                     for where, [said] in sorted(clear)) or None
+            named.setdefault(places, []).append(sentence)
+    clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
+    wrong = {part.partition(":")[0] for mark in found.failed.values() for part in (mark or "").split()
+             if "." in part}
+    if not wrong <= {*itertools.chain(*clear)}:
+        clear = {places: said for places, said in clear.items() if "." not in places[0]}
+    if 0 < len(clear) <= 2:
+        return "; ".join(f"{in_words(places, found)} this may be what comes out when {said}"
+                         for places, said in clear.items())
 
 
 def alike(known, found):
-    """The parts in which a wrong answer does as a known mistake, in words: in output 2."""
-    same = {}
+    """The places where a wrong answer does as a known mistake: ("2",), ("1.0", "1.2"), or ("5",
+    "checks"); () if there is none.
+    """
+    same = {"": []}
     for check, mark in known.items():
         if mark and found[check] != OTHER:
             came = (found[check] or "").split()
-            same.setdefault("", []).append(whole(mark) in came)
+            same[""].append(whole(mark) in came)
             for part in mark.split()[1:]:
                 same.setdefault(part.partition(":")[0], []).append(part in came)
-    checks = same.pop("", [])
+    checks = same.pop("")
     places = [place for place, are in same.items() if all(are)]
-    if not places and 2 <= sum(checks) > len(checks) / 2:
-        return [f"in {sum(checks)} of {len(found)} checks"]
-    return [f"in output {place}" if "." not in place else "in [..., {1}]".format(*place.split("."))
-            for place in places if place.partition(".")[0] not in places or "." not in place]
+    outputs = tuple(place for place in places if "." not in place)
+    if not places and sum(checks) >= max(2, len(found) / 2):
+        return str(sum(checks)), "checks"
+    return outputs or tuple(places)
+
+
+def in_words(places, found):
+    """in output 2, in [..., 1] or [..., 2], in 5 of 7 checks."""
+    if places[-1] == "checks":
+        return f"in {places[0]} of {len(found.failed)} checks"
+    return "in " + " and ".join(f"[..., {place[2:]}]" if "." in place else f"output {place}"
+                                for place in places)
 
 
 def whole(mark):
@@ -188,7 +203,9 @@ def hint(exercise, checks):
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
     suspected = told(said, sure=any(one.certain for one in said))
-    return suspected if is_sure(suspected or "may be") else in_part(exercise, found) or suspected
+    if suspected and is_sure(suspected):
+        return suspected
+    return in_part(exercise, found) or suspected
 
 
 def told(said, sure):
@@ -224,6 +241,12 @@ def is_sure(said):
                                                   rf"({PLACE})?$", said)
 
 
+def says_too(catches, said):
+    """Does a list of mistakes hold what a hint says? By the words of suspicions.py."""
+    stems = re.findall("sign|exchang|swap|order|transpos|square|zero|half|round|degrees", said)
+    return any(stem in catches.lower() for stem in stems)
+
+
 @functools.cache
 def known_mistakes():
     """{exercise: [(sentence, its Pattern's failed)]}: tests/labs/hints.json, see upkeep."""
@@ -254,21 +277,25 @@ def fingerprint_and_count(nodeid, returned, compared=None):
     if returned is None or count(returned) > MOST:
         return None, 0
     marks = [fingerprint(nodeid, returned)]
-    marks += [f"{place}:{fingerprint(nodeid + place, part)[:6]}" for place, part in parts(returned)]
+    marks += [f"{place}:{fingerprint(nodeid + place, part)[:6]}"
+              for place, part in parts(returned, compared) if count(part) >= ENOUGH]
     return " ".join(marks), count(returned)
 
 
-def parts(returned):
-    """Yield (place, part): "2" and output 2 of several, "2.0" and its column 0 of up to 4.
+def parts(returned, compared):
+    """Yield (place, part): "2" and output 2 of several, "2.0" and its column 0, if that is wrong.
 
-    What has less than ENOUGH numbers is left out, as it may be the same by chance.
+    Columns are those of what was compared, where it has up to 4.
     """
-    outputs = returned if isinstance(returned, tuple) else (returned,)
-    for number, output in enumerate(map(as_array, outputs), 1):
-        width = output.shape[-1] if output.ndim > 1 and output.dtype.kind in "fc" else 0
-        columns = [(f"{number}.{k}", output[..., k]) for k in range(width if width < 5 else 0)]
-        found = [(str(number), output)] * (len(outputs) > 1) + columns * (width > 1)
-        yield from (pair for pair in found if count(pair[1]) >= ENOUGH)
+    for number, output in enumerate(returned if isinstance(returned, tuple) else (), 1):
+        yield str(number), as_array(output)
+    if compared is None or compared.got.shape != compared.expected.shape:
+        return
+    got, place = compared.got, place_in(returned, compared.got)
+    if place is not None and got.ndim > 1 and 1 < got.shape[-1] <= 4 and got.dtype.kind in "fc":
+        right = np.broadcast_to(compared.agrees(got, compared.expected), got.shape)
+        for k in np.flatnonzero(~right.reshape(-1, got.shape[-1]).all(0)):
+            yield f"{1 if place is WHOLE else place + 1}.{k}", got[..., k]
 
 
 def count(returned):

@@ -228,7 +228,8 @@ def check_line(error, item):
 
 def claim(item) -> str:
     """test_a_face__s_area_is_positive -> "A face's area is positive", and its parameters."""
-    words = item.originalname.removeprefix("test_").replace("__s_", "'s ").replace("_", " ")
+    words = item.originalname.removeprefix("test_").replace("__", "' ").replace(
+        "' s_", "'s ").replace("_s_", "'s ").replace("_", " ")
     case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
     fine = " (fine print)" * is_fine_print(item.get_closest_marker("exercise"))
     return words[:1].upper() + words[1:] + case + fine

@@ -1,4 +1,5 @@
 """How values, calls and errors are shown to a student, and the rows that a report is made of."""
+import contextlib
 import inspect
 import re
 import textwrap
@@ -132,9 +133,13 @@ def shapes_there(trace, last):
     frames = [frame for frame, line in traceback.walk_tb(trace)
               if (frame.f_code.co_filename, line) == (last.filename, last.lineno)]
     known = frames[-1].f_locals
-    names = dict.fromkeys(re.findall(r"(?<![.\w])[A-Za-z_]\w*", quoted(last.line)))
-    shapes = [f"{name} {shape_name(known[name])}" for name in names
-              if isinstance(known.get(name), np.ndarray)]
+    known = {name: value for name, value in known.items() if isinstance(value, np.ndarray)}
+    names = re.findall(r"(?<![.\w])([A-Za-z_]\w*)(?:\[(\w+)\])?", quoted(last.line))
+    shapes = {name: known[name] for name, _ in names if name in known}
+    with contextlib.suppress(IndexError):  # then that is the error
+        shapes |= {f"{name}[{index}]": known[name][known[index]] for name, index in names
+                   if name in known and index in known}
+    shapes = [f"{name} {shape_name(array)}" for name, array in shapes.items()]
     return [f"    there: {', '.join(shapes)}"] if shapes else []
 
 

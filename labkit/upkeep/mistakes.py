@@ -19,7 +19,6 @@ what their mistakes returned to the checks that caught them, as fingerprints, wi
 `run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
 import ast
-import contextlib
 import itertools
 import json
 import textwrap
@@ -91,15 +90,16 @@ def library(topic):
 
 
 def twice(topic):
-    """Yield the Mistake of each two changes that can be made at once; its sentence is both."""
+    """Yield the Mistake of each two changes, made one after the other; its sentence is both."""
     entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
     for exercise in exercises.topic_exercises(topic):
         listed = [entry for entry in entries if entry.number == exercise.number]
-        for one, other in itertools.combinations(listed, 2):
-            both = one._replace(changes=one.changes + other.changes)
-            with contextlib.suppress(ValueError):  # they change the same place
-                [text] = changes.wrong_functions(topic, exercise, [both])
-                yield Mistake(topic, exercise, text, (one.said, other.said))
+        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
+        for pair in itertools.combinations(zip(listed, texts, strict=True), 2):
+            both = [text for (_, text), (other, _) in (pair, pair[::-1])
+                    for text in changes.again(text, other)]
+            if both:
+                yield Mistake(topic, exercise, both[0], tuple(entry.said for entry, _ in pair))
 
 
 def tried(topic, mistakes):
