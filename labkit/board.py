@@ -154,7 +154,16 @@ def next_to_do(entries, implementation, seed):
         lines.append(layout([("claim", wrong[0].claim)]))
     if wrong and entry.verdict != "not started":
         lines.append(wrong[0].message)
-    return "\n".join([*lines, layout([*also(wrong), *ways_on(entry, implementation, seed)])])
+    return "\n".join([*lines, layout([*also(wrong), *seen(wrong),
+                                      *ways_on(entry, implementation, seed)])])
+
+
+def seen(wrong):
+    """A row, or none: a picture of what came beside what was expected, of another check that fails.
+    """
+    pictures = [check for check in wrong if check.picture]
+    if pictures and pictures[0] is not wrong[0]:
+        yield "picture", f"{places.shown_path(pictures[0].picture)}\n{pictures[0].claim}"
 
 
 def also(wrong):
