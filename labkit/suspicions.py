@@ -148,12 +148,11 @@ def axes_in_words(came, expected, inputs=()):
     if sorted(came) == sorted(expected):
         return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
     if axis := the_axis(expected, came):
-        if expected[axis[0]] == 1:
-            return f"axis {axis[0]} of length 1 is lost: keepdims=True keeps it, None adds one"
-        return f"axis {axis[0]} is lost: a sum, a mean or an index over it took it away"
+        return (f"axis {axis[0]} is lost: a sum, a mean or an index took it away; keepdims=True "
+                "keeps one of length 1, and None in an index adds one")
     if len(expected) == 1 and came == 2 * expected:
-        return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as one "
-                "of two arrays has an axis too many")
+        return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as "
+                "one of two arrays has an axis too many")
     if axis := the_axis(came, expected):
         return f"axis {axis[0]} is too many: is it to be summed, or is one number of it meant?"
     for name, array in inputs:

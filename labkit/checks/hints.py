@@ -1,9 +1,10 @@
 """Hints: which common mistake explains a wrong answer.
 
-Some are found in the numbers alone: a flipped sign, swapped axes (given/suspicions.py). Some show
-when the answer is tried with inputs exchanged (retries.py). Others are known mistakes of
-tests/mistakes/. What a mistake returned to each check that it fails is kept as a fingerprint. It is
-named only where a student's answer fails the same checks with the same numbers, and no others.
+Some are found in the numbers alone: a flipped sign, swapped axes (suspicions.py). Others are known
+mistakes of tests/mistakes/. What a mistake, or two at once, returned to each check that it fails is
+kept as a fingerprint. It is named where a student's answer fails the same checks with the same
+numbers, and no others. It "may be" one where an output, a column, or some of the checks is the
+same.
 """
 import functools
 import hashlib
@@ -18,7 +19,6 @@ import numpy as np
 from ..contract import as_array
 from ..places import ROOT
 from ..suspicions import ENOUGH, TRUTHS, Suspicion, evidence, suspicion
-from .retries import mixed_up
 from .showing import arguments, shape_name
 
 HINTS = ROOT / "tests" / "labs" / "hints.json"
@@ -48,7 +48,6 @@ def suspected(compared, call, returned):
         return Suspicion("the outputs are in the wrong order", True)
     if not got.any() and got.dtype.kind != "i":
         return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
-    found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
     return found or (NOTHING if compared.expected.any() else None)
@@ -65,18 +64,6 @@ def is_right(output, compared):
     output = as_array(output)
     return output.shape == compared.expected.shape and np.all(
         compared.agrees(output, compared.expected))
-
-
-def of_inputs(compared, call, place):
-    """The Suspicion that inputs are mixed up, or None. place: of the output that was compared."""
-    function, args, kwargs = call
-    known = evidence(*compared[:3])
-    if not known or not hasattr(function, "is_repeatable"):
-        return None
-    mistake = mixed_up(function, args, kwargs, lambda result: is_right(
-        result if place is WHOLE else result[place], compared))
-    sure = known >= ENOUGH and compared.expected.dtype.kind == "f" and "exchanged" in str(mistake)
-    return mistake and Suspicion(mistake, sure)
 
 
 def place_in(returned, got):
@@ -116,9 +103,9 @@ def known_mistake(exercise, found):
     listed = known_mistakes().get(exercise, ())
     said = [sentence for sentence, failed in listed
             if found.numbers and agree(failed, found.failed)]
-    if both := known_mistakes().get(f"{exercise} twice", {}).get(digest(found.failed)):
-        one, other = (listed[number][0] for number in both)
-        said += [f"two things are wrong at once. One: {one}. The other: {other}"]
+    said += [f"two things are wrong at once. One: {listed[one][0]}. The other: {listed[other][0]}"
+             for mark, one, other in known_mistakes().get(f"{exercise} twice", ())
+             if mark == digest(found.failed)]
     if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
         return None
     certain = found.numbers >= ENOUGH and OTHER not in found.failed.values()
@@ -148,8 +135,8 @@ def in_part(exercise, found):
         if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
             named.setdefault(places, []).append(sentence)
     clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
-    wrong = {part.partition(":")[0] for mark in found.failed.values() for part in (mark or "").split()
-             if "." in part}
+    wrong = {part.partition(":")[0] for mark in found.failed.values()
+             for part in (mark or "").split() if "." in part}
     if not wrong <= {*itertools.chain(*clear)}:
         clear = {places: said for places, said in clear.items() if "." not in places[0]}
     if 0 < len(clear) <= 2:
@@ -159,7 +146,7 @@ def in_part(exercise, found):
 
 def alike(known, found):
     """The places where a wrong answer does as a known mistake: ("2",), ("1.0", "1.2"), or ("5",
-    "checks"); () if there is none.
+    "checks"); () if there is none. Of columns, all that it spoils.
     """
     same = {"": []}
     for check, mark in known.items():
@@ -173,7 +160,7 @@ def alike(known, found):
     outputs = tuple(place for place in places if "." not in place)
     if not places and sum(checks) >= max(2, len(found) / 2):
         return str(sum(checks)), "checks"
-    return outputs or tuple(places)
+    return outputs or tuple(places if len(places) == len(same) else ())
 
 
 def in_words(places, found):
@@ -237,8 +224,8 @@ def kernel(sentence):
 
 def is_sure(said):
     """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
-    return "may be that" not in said and not re.search(rf"(times what was|more than|less than) expected"
-                                                  rf"({PLACE})?$", said)
+    return "may be that" not in said and not re.search(
+        rf"(times what was|more than|less than) expected({PLACE})?$", said)
 
 
 def says_too(catches, said):

@@ -180,5 +180,4 @@ def limited(function):
                                            "go over far too much?")):
             return function(*args, **kwargs)
 
-    call.is_repeatable = True  # here, in this process: a hint may try other inputs
     return call

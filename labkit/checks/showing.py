@@ -166,8 +166,8 @@ def unfit(short, long):
         return f"{short} fits as {fits[0]}: {AN_AXIS}"
     if short == long[::-1]:
         return f"{short} and {long} are equal when one is transposed, .T: rows became columns"
-    pairs = zip(reversed(short), reversed(long))
-    one, other = next(pair for pair in pairs if len({*pair, 1}) == 3)
+    pairs = zip(reversed(short), reversed(long), strict=False)
+    one, other = next((pair for pair in pairs if len({*pair, 1}) == 3), (short, long))
     return (f"lengths are compared from the last axis on, and must be equal or 1. Here {one} and "
             f"{other} meet: are both of the same things, and their axes in the same order?")
 

@@ -124,19 +124,16 @@ def patterns(found):
 
 
 def doubles(found, singles):
-    """{digest: the numbers of two sentences in singles} of what `tried` gives of `twice`.
+    """[[digest, and the numbers of two sentences in singles]] of what `tried` gives of `twice`.
 
-    One that does as a single mistake, or as two others, is left out.
+    One that does as a single mistake is left out.
     """
     number = {sentence: k for k, (said, _) in enumerate(singles)
               for sentence in said.split(", or when ")}
-    kept = {digest(failed): () for _, failed in singles}
-    for mistake, caught in found:
-        failed = pattern(caught).failed
-        if any(failed.values()) and {*mistake.sentence} <= number.keys():
-            pair = sorted(number[sentence] for sentence in mistake.sentence)
-            kept[digest(failed)] = pair if kept.get(digest(failed), pair) == pair else ()
-    return {mark: pair for mark, pair in kept.items() if len({*pair}) == 2}
+    known = {digest(failed) for _, failed in singles}
+    return [[mark, *(number[sentence] for sentence in mistake.sentence)]
+            for mistake, caught in found if {*mistake.sentence} <= number.keys()
+            and (mark := digest(pattern(caught).failed)) not in known]
 
 
 def run(target=None):
@@ -146,14 +143,13 @@ def run(target=None):
     """
     made, alive = dict(known_mistakes()) if target else {}, []
     for topic in exercises.asked_for(target)[0]:
-        found = tried(topic, [*library(topic), *twice(topic)])
+        found, both = tried(topic, library(topic)), tried(topic, list(twice(topic)))
         asked = list(dict.fromkeys(mistake.exercise for mistake, _ in found))
         for exercise in asked:
-            own = [[pair for pair in found if pair[0].exercise == exercise
-                    and isinstance(pair[0].sentence, kind)] for kind in (str, tuple)]
-            made[exercise.number] = patterns(own[0])
-            made[f"{exercise.number} twice"] = doubles(own[1], made[exercise.number])
-        found = [pair for pair in found if isinstance(pair[0].sentence, str)]
+            own, twins = ([pair for pair in pairs if pair[0].exercise == exercise]
+                          for pairs in (found, both))
+            made[exercise.number] = patterns(own)
+            made[f"{exercise.number} twice"] = doubles(twins, made[exercise.number])
         alive += [mistake for mistake, caught in found if not caught]
         print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
               f"in {plural(len(asked), 'exercise')}")
@@ -161,16 +157,14 @@ def run(target=None):
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     places.write_whole(HINTS, as_json(made).encode("utf-8"))
-    said = sum(len(known) for known in made.values() if isinstance(known, list))
+    said = sum(len(known) for number, known in made.items() if " " not in number)
     print(f"{plural(said, 'sentence')} in tests/labs/hints.json")
     return int(bool(alive))
 
 
 def as_json(made):
     """JSON with one line for each sentence, so that a diff shows the mistake that changed."""
-    blocks = []
-    for number in sorted(made):
-        lines = made[number] if isinstance(made[number], list) else [made[number]]
-        text = ",\n".join(json.dumps(line, sort_keys=True) for line in lines)
-        blocks.append(f"{json.dumps(number)}: " + (f"[\n{text}\n]" if lines is made[number] else text))
+    blocks = [f"{json.dumps(number)}: [\n"
+              + ",\n".join(json.dumps(known, sort_keys=True) for known in made[number]) + "\n]"
+              for number in sorted(made)]
     return "{\n" + ",\n".join(blocks) + "\n}\n"

@@ -17,7 +17,7 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from .. import exercises, places
-from ..checks import hints, retries
+from ..checks import hints
 from ..checks.loader import LAST_CALL, LAST_RETURN, PACKAGE
 from ..checks.report import Check, is_fine_print
 from ..contract import called
@@ -102,7 +102,6 @@ def wrong_parts(check, item, right):
 
 def work(topic, trials, asked, pipe):
     """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
-    retries.RETRY_SECONDS = 0.0  # nobody reads their hints
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all

@@ -214,8 +214,8 @@ def test_every_folder_has_its_sign():
 
 
 @pytest.mark.parametrize(("old", "new", "sentence"), [
-    ("    retries ", "    retrials ", "the sign of labkit.checks lacks retries"),
-    ("    retries ", "    retrials ", "the sign of labkit.checks invents retrials"),
+    ("    pictures ", "    paintings ", "the sign of labkit.checks lacks pictures"),
+    ("    pictures ", "    paintings ", "the sign of labkit.checks invents paintings"),
     ("    showing  ", "    report  above\n    showing  ",
      "the sign of labkit.checks has report above showing, which it imports")])
 def test_a_wrong_sign_is_found(old, new, sentence):

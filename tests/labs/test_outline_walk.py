@@ -1,16 +1,7 @@
 """What the exercises of lab 8 that walk on to an outline must do."""
 import edges_in_space
 import numpy as np
-from edges_in_space import (
-    AROUND,
-    CORNERS,
-    EDGES,
-    LEFT,
-    as_pairs,
-    in_space,
-    pairs_around,
-    soup,
-)
+from edges_in_space import AROUND, CORNERS, EDGES, LEFT, as_pairs, in_space, pairs_around, soup
 
 from course.scenes.relaxation import split_in_four
 from labkit.checks import assert_close, assert_equal, exercise
@@ -156,8 +147,7 @@ def walkers(rng, screen, faces, count, width=7):
     found = []
     for owner, other in zip(*pairs_around(rng, count), strict=True):
         centre = owner % width + 0.5, owner // width + 0.5
-        seen = [f for f, face in enumerate(faces)
-                if covers(np.stack(screen[:2], 1)[face], *centre)]
+        seen = [f for f, face in enumerate(faces) if covers(np.stack(screen[:2], 1)[face], *centre)]
         if len(seen) == 1:
             found.append((owner, other, seen[0]))
     return np.array(found).T

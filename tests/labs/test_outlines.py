@@ -53,8 +53,7 @@ def test_a_pair_does_not_go_over_the_end_of_a_row(impl):
 @exercise("8.10")
 def test_the_nearer_face_owns_the_edge(impl):
     """The deeper one is the owner, or always the left or lower one."""
-    assert_equal(pairs_of(impl, [[-1, 1, 0], [2, 1, -1]]),
-                 ([1, 2, 2, 3, 4, 4], [0, 1, 5, 0, 3, 5]))
+    assert_equal(pairs_of(impl, [[-1, 1, 0], [2, 1, -1]]), ([1, 2, 2, 3, 4, 4], [0, 1, 5, 0, 3, 5]))
 
 
 @exercise("8.10")

@@ -481,8 +481,7 @@ def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
     """Rows and columns of the box are swapped, or a small area counts as none."""
     x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
     clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
-    found = [impl.rasterize(clip, np.array([face]), 6, 4)[0]
-             for face in ([0, 1, 2], [0, 2, 1])]
+    found = [impl.rasterize(clip, np.array([face]), 6, 4)[0] for face in ([0, 1, 2], [0, 2, 1])]
     assert_picture(np.vstack(found), np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3] * 2))
 
 

@@ -39,8 +39,7 @@ def run(folder, labs=None, solutions=None, extra=False, after=None) -> int:
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
-    content = (new(asked, after, released, extra) if after
-               else dict(files(asked, released, extra)))
+    content = (new(asked, after, released, extra) if after else dict(files(asked, released, extra)))
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
