@@ -128,10 +128,8 @@ def title_row(number, topic, board):
     """A lab, its own topic, its points, and a bar that shows these."""
     reached, of = verdicts.points([entry for entry in board
                                    if exercises.lab_number(entry.topic) == number])
-    if not of:
-        return f"Lab {number}", topic
-    bar = ("#" * int(BAR * reached / of)).ljust(BAR, ".")
-    return f"Lab {number}", topic, f"{reached:g} of {of}", bar
+    bar = ("#" * int(BAR * reached / max(of, 1))).ljust(BAR, ".")
+    return f"Lab {number}", topic, *((f"{reached:g} of {of}", bar) if of else ())
 
 
 def next_to_do(entries, implementation, seed):

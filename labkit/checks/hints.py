@@ -190,9 +190,8 @@ def hint(exercise, checks):
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
     suspected = told(said, sure=any(one.certain for one in said))
-    if suspected and is_sure(suspected):
-        return suspected
-    return in_part(exercise, found) or suspected
+    is_told = suspected and is_sure(suspected)
+    return suspected if is_told else in_part(exercise, found) or suspected
 
 
 def told(said, sure):

@@ -154,8 +154,7 @@ def explained(error, item):
         place = labels.index("expected")
         rows[place:place] = output_row(error.compared, returned)
     if is_misshaped(error):
-        words = axes_in_words(error.compared.got.shape, error.compared.expected.shape,
-                              arguments(*last) if last else ())
+        words = axes_in_words(*map(np.shape, error.compared[:2]), arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
     return [*rows, ("check", check_line(error, item))]
 

@@ -361,6 +361,8 @@ PLAIN = {  # name: exercise, lines
     "strict_is_not_strict": ("1.8", "impl.strict(0)"),
     "strict_tells_all": ("1.8", "impl.strict(1)", 'raise Told("it was given 1")'),
     "the_second_of_two": ("1.8", "_, two = impl.both(1.0)", "assert_close(two, 3.0)"),
+    "an_earlier_call": ("1.3", "got = impl.shifted(1.0, by=2.0)", "impl.shifted(1.0, by=9.0)",
+                        "assert_close(got, 3.0)"),
     "skips_itself": ("1.1", 'pytest.skip("not today")')}
 CHECKS = """\
 import numpy as np
@@ -456,6 +458,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
 @pytest.mark.parametrize(("test", "told"), [
     ("shifted_adds[one]", "shifting by 1.0"),  # the student's print
     ("the_second_of_two", "output    2 of 2"),
+    ("an_earlier_call", "given     shifted(x=1.0, by=2.0)\nexpected"),
     ("shifted_gives_two", "wrong     shifted returned one array or number; a tuple of several"),
     ("shifted_can_be_multiplied",
      "wrong     what shifted returned does not fit: ValueError: matmul"),

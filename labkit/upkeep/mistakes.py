@@ -6,19 +6,16 @@ tests/mistakes/<topic>.txt:
     2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)
           the border does not count as inside: > 0 for >= 0
 
-changes.py has the rules. Only what takes several lines, written in another way altogether, is a
-function in tests/mistakes/<topic>.py. That file is only read, never imported: each function takes
-the place of the one of its name. The words below a change, and the docstring of a function, go on
-after "this is what comes out when".
+changes.py has the rules. The words below a change go on after "this is what comes out when".
 
 Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
-function does in all checks what a known mistake does there, the report tells the sentence.
+function does in all checks what a known mistake does there, or what two of them do together, the
+report tells the sentence.
 
 At home there is no library, only tests/labs/hints.json: for each exercise the sentences, with
 what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
 `run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
-import ast
 import itertools
 import json
 import textwrap
@@ -38,24 +35,6 @@ class Mistake(NamedTuple):
     exercise: exercises.Exercise
     text: str
     sentence: str
-
-
-def wrong_functions(topic):
-    """Yield (place, exercise, text, docstring in one line) of tests/mistakes/<topic>.py.
-
-    ValueError: a function is no exercise of the topic.
-    """
-    path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
-    text = exercises.read(path) if path.exists() else ""
-    lines = exercises.text_lines(text)
-    known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
-    for function in exercises.top_level_functions(text):
-        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
-        if function.name not in known:
-            raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
-                             "give it the name of one")
-        yield (place, known[function.name], "".join(lines[function.lineno - 1:function.end_lineno]),
-               " ".join((ast.get_docstring(function) or "").split()))
 
 
 def changed_functions(folder, topic):
@@ -79,8 +58,7 @@ def changed_functions(folder, topic):
 def library(topic):
     """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
     found = []
-    for place, exercise, text, sentence in (*changed_functions("mistakes", topic),
-                                            *wrong_functions(topic)):
+    for place, exercise, text, sentence in changed_functions("mistakes", topic):
         if not sentence:
             raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
                              'after "this is what comes out when"')
@@ -157,8 +135,7 @@ def run(target=None):
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     places.write_whole(HINTS, as_json(made).encode("utf-8"))
-    said = sum(len(known) for number, known in made.items() if " " not in number)
-    print(f"{plural(said, 'sentence')} in tests/labs/hints.json")
+    print(f"{plural(sum(len(made[n]) for n in made if ' ' not in n), 'sentence')} in {HINTS.name}")
     return int(bool(alive))
 
 
