@@ -190,8 +190,7 @@ def hint(exercise, checks):
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
     suspected = told(said, sure=any(one.certain for one in said))
-    is_told = suspected and is_sure(suspected)
-    return suspected if is_told else in_part(exercise, found) or suspected
+    return suspected if suspected and is_sure(suspected) else in_part(exercise, found) or suspected
 
 
 def told(said, sure):

@@ -98,9 +98,8 @@ def files(asked, released, extra):
     for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
-            linked = path.match("notebooks/*.md")
-            yield name, (unlinked(exercises.read(path), asked).encode() if linked
-                         else path.read_bytes())
+            text = unlinked(exercises.read(path), asked) if path.match("notebooks/*.md") else ""
+            yield name, text.encode() or path.read_bytes()
     yield from labs_of(asked, released, extra)
     for topic in came_along(asked):
         path = exercises.reference(topic)
