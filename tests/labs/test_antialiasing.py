@@ -437,7 +437,8 @@ def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
 
 @exercise("8.9")
 def test_a_vertex_on_the_line_counts_as_above(impl):
-    """> for >=: an edge that only touches the line crosses it, or one that ends there does not."""
+    """> in place of >=: an edge that only touches the line crosses it, or one that ends there does
+    not."""
     only_two = column((0.25, 0.0), (-1.0, -2.0), (-1.0, 2.0))  # edges 0 (at -1) and 2 (at 0.25)
     assert_crossed(impl, only_two, [2], [0.25])
     for first, second, last in (0.5, 2.0, 1), (2.0, 0.5, 2):  # a little below: edges 1 and 2 cross
@@ -449,7 +450,7 @@ def test_a_vertex_on_the_line_counts_as_above(impl):
 
 @exercise("8.9", fine_print=True)
 def test_of_equal_crossings_the_first_edge_is_taken(impl):
-    """>= for >: two edges meet in a vertex on the line."""
+    """>= in place of >: two edges meet in a vertex on the line."""
     meeting = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
     assert_crossed(impl, meeting, [1], [1.0])
 
@@ -729,7 +730,8 @@ def test_all_gradients_are_central_differences(impl, rng, gradcheck):
 
 @exercise("8.14", fine_print=True)
 def test_at_zero_the_owner__s_side_counts(impl):
-    """> for >=: at alpha = 0, the kink, the other pixel's side is taken and not the owner's."""
+    """> in place of >=: at alpha = 0, the kink, the other pixel's side is taken and not the
+    owner's."""
     got = ends_backward(impl, [1, 3, 0, 0], [8, 100, 0, 0], 0, ((0.5, -1.0), (0.5, 3.0)))
     assert_close(got[:, 0], [-12, -4])
 

@@ -80,7 +80,7 @@ def test_faces_that_reach_behind_the_camera_are_left_in_front_of_it(impl, rng):
 
 @exercise("8.15", fine_print=True)
 def test_a_corner_on_the_line_counts_as_above(impl):
-    """<= for <: a line through a corner goes back where it came from."""
+    """<= in place of <: a line through a corner goes back where it came from."""
     x, y = np.array([0.0, 0.0, 2.0, 4.0]), np.array([-1.0, 3.0, 0.5, 1.0])
     faces = np.array([[0, 1, 2], [2, 1, 3], [0, 2, 3]])
     one = np.array([0]), np.array([1])
