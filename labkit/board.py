@@ -129,7 +129,7 @@ def title_row(number, topic, board):
     reached, of = verdicts.points([entry for entry in board
                                    if exercises.lab_number(entry.topic) == number])
     bar = ("#" * int(BAR * reached / max(of, 1))).ljust(BAR, ".")
-    return f"Lab {number}", topic, f"{reached:g} of {of}", bar
+    return f"Lab {number}", topic, *((f"{reached:g} of {of}", bar) if of else ())
 
 
 def next_to_do(entries, implementation, seed):
@@ -144,7 +144,7 @@ def next_to_do(entries, implementation, seed):
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
     lines = [headline(entry, wrong)]
-    if entry.verdict == "failing" and entry.claims[1] and not entry.extra:
+    if entry.verdict == "failing" and entry.claims[0] and not entry.extra:
         lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
@@ -152,7 +152,16 @@ def next_to_do(entries, implementation, seed):
         lines.append(layout([("claim", wrong[0].claim)]))
     if wrong and entry.verdict != "not started":
         lines.append(wrong[0].message)
-    return "\n".join([*lines, layout([*also(wrong), *ways_on(entry, implementation, seed)])])
+    return "\n".join([*lines, layout([*also(wrong), *seen(wrong),
+                                      *ways_on(entry, implementation, seed)])])
+
+
+def seen(wrong):
+    """A row, or none: a picture of what came beside what was expected, of another check that fails.
+    """
+    pictures = [check for check in wrong if check.picture]
+    if pictures and pictures[0] is not wrong[0]:
+        yield "picture", f"{places.shown_path(pictures[0].picture)}\n{pictures[0].claim}"
 
 
 def also(wrong):
@@ -210,8 +219,9 @@ def ways_on(entry, implementation, seed):
     yield "read", reading(entry, folder(implementation))
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"
-        if entry.verdict == "not started":
-            solution = f"{COMMAND} close {entry.number} --core puts it in; {solution}"
+        if entry.verdict == "not started" or entry.blocked_by:
+            puts_in = f"{COMMAND} close {entry.blocked_by or entry.number} --core puts it in"
+            solution = puts_in if entry.blocked_by else f"{puts_in}; {solution}"
         yield "stuck", solution
 
 

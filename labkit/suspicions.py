@@ -144,6 +144,31 @@ def in_another_shape(got, expected):
                 yield f"the {name} over axis {axis} is missing", got
 
 
+def axes_in_words(came, expected, inputs=()):
+    """What became of an axis, where the shapes of what came and was expected tell it, or None."""
+    if sorted(came) == sorted(expected):
+        return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
+    if axis := the_axis(expected, came):
+        return (f"axis {axis[0]} is lost: a sum, a mean or an index took it away; keepdims=True "
+                "keeps one of length 1, and None in an index adds one")
+    if len(expected) == 1 and came == 2 * expected:
+        return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as "
+                "one of two arrays has an axis too many")
+    if axis := the_axis(came, expected):
+        return f"axis {axis[0]} is too many: is it to be summed, or is one number of it meant?"
+    for name, array in inputs:
+        shape = np.shape(as_array(array))
+        wrong, right = the_axis(shape, came), the_axis(shape, expected)
+        if wrong and right:
+            return (f"without axis {wrong[0]}, {name} {shape} becomes {came}, and without axis "
+                    f"{right[0]} {expected}: is the sum over the wrong axis?")
+
+
+def the_axis(long, short):
+    """(axis,) without which the one shape is the other, () if there is none."""
+    return tuple(k for k in range(len(long)) if long[:k] + long[k + 1:] == short)[-1:]
+
+
 def distorted(got, expected):
     """Yield (what became of the numbers, what was expected with it)."""
     if "c" in (got.dtype.kind, expected.dtype.kind):

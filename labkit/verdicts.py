@@ -193,15 +193,15 @@ def entries(labs: dict, needed: Iterable[str], called: dict, found: list[Check],
     questions = {number: [check.verdict for check in checks[number] if not check.fine_print]
                  for number in needed}
     done = {number for number, verdicts in questions.items() if {*verdicts} == {"passed"}}
+    unfine = {number for number in done if any(one.verdict != "passed" for one in checks[number])}
 
     def entry(topic, exercise):
         number = exercise.number
         undone = [other for other in called.get(number, ()) if other not in done]
         verdict = "not readable" if topic in broken else verdict_of(questions[number], undone)
-        fine_print_open = verdict == "done" and any(
-            check.verdict != "passed" for check in checks[number])
+        is_own = not unfine & {*called.get(number, ())}  # else it is that of what it calls
         return Entry(number, exercise.name, topic, exercise.points, exercise.is_extra, verdict,
-                     fine_print_open, checks[number])
+                     number in unfine and is_own, checks[number])
 
     return [entry(topic, exercise) for topic, lab in labs.items() for exercise in lab
             if exercise.number in checks]

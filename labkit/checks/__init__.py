@@ -13,7 +13,6 @@ labkit/contract.py: a check gets arrays and numbers, never lists.
     showing      how values, calls and errors are shown
     alarm        a limit on time
     assertions   what a check asserts
-    retries      which inputs a wrong answer mixes up
     hints        which common mistake explains a wrong answer
     loader       the code under test
     report       the verdict on a check, and what a student reads

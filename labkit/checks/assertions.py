@@ -11,6 +11,7 @@ from .showing import index_name, kind_name, layout, shape_name, shown
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
+LEAST = 8  # rows and columns of an array that is drawn as a picture, though it may be none
 NAN = "nan is no number: it comes from 0 / 0, inf - inf, or the mean of nothing"
 EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"}
 
@@ -95,7 +96,8 @@ def assert_refused(function, *args):
 
 
 def given_row(given):
-    return [] if given is None else [("given", given if isinstance(given, str) else shown(given))]
+    is_case = isinstance(given, str)  # beside the call, which is shown, too
+    return [] if given is None else [("case", given) if is_case else ("given", shown(given))]
 
 
 def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
@@ -117,7 +119,9 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     if rows[-2][1] == rows[-1][1]:  # they differ in a digit that is not shown
         rows[-2:] = [("expected", shown(expected, digits=17)), ("got", shown(got, digits=17))]
     rows += whereabouts(got, expected, wrong, allowed)
-    raise drawn(compared, wrong, rows) if picture else Mismatch(*rows, compared=compared)
+    is_seen = picture or (min(expected.shape[:2], default=0) >= LEAST and expected.ndim > 1
+                          and expected[..., None].shape[2] <= 4 and expected.dtype.kind in "bif")
+    raise drawn(compared, wrong, rows) if is_seen else Mismatch(*rows, compared=compared)
 
 
 def compare_outputs(got, expected, rows, *how):

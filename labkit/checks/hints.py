@@ -1,9 +1,10 @@
 """Hints: which common mistake explains a wrong answer.
 
-Some are found in the numbers alone: a flipped sign, swapped axes (given/suspicions.py). Some show
-when the answer is tried with inputs exchanged (retries.py). Others are known mistakes of
-tests/mistakes/. What a mistake returned to each check that it fails is kept as a fingerprint. It is
-named only where a student's answer fails the same checks with the same numbers, and no others.
+Some are found in the numbers alone: a flipped sign, swapped axes (suspicions.py). Others are known
+mistakes of tests/mistakes/. What a mistake, or two at once, returned to each check that it fails is
+kept as a fingerprint. It is named where a student's answer fails the same checks with the same
+numbers, and no others. It "may be" one where an output, a column, or some of the checks is the
+same.
 """
 import functools
 import hashlib
@@ -18,7 +19,6 @@ import numpy as np
 from ..contract import as_array
 from ..places import ROOT
 from ..suspicions import ENOUGH, TRUTHS, Suspicion, evidence, suspicion
-from .retries import mixed_up
 from .showing import arguments, shape_name
 
 HINTS = ROOT / "tests" / "labs" / "hints.json"
@@ -49,7 +49,6 @@ def suspected(compared, call, returned):
         return Suspicion("the outputs are in the wrong order", True)
     if not got.any() and got.dtype.kind != "i":
         return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
-    found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
     return found or (NOTHING if compared.expected.any() else None)
@@ -66,18 +65,6 @@ def is_right(output, compared):
     output = as_array(output)
     return output.shape == compared.expected.shape and np.all(
         compared.agrees(output, compared.expected))
-
-
-def of_inputs(compared, call, place):
-    """The Suspicion that inputs are mixed up, or None. place: of the output that was compared."""
-    function, args, kwargs = call
-    known = evidence(*compared[:3])
-    if not known or not hasattr(function, "is_repeatable"):
-        return None
-    mistake = mixed_up(function, args, kwargs, lambda result: is_right(
-        result if place is WHOLE else result[place], compared))
-    sure = known >= ENOUGH and compared.expected.dtype.kind == "f" and "exchanged" in str(mistake)
-    return mistake and Suspicion(mistake, sure)
 
 
 def place_in(returned, got):
@@ -111,11 +98,15 @@ def pattern(checks):
 def known_mistake(exercise, found):
     """"this is what comes out when ...": the known mistake that has the Pattern found, or None.
 
-    All that it fails is failed, with the same numbers, and nothing else. Fewer than ENOUGH numbers
-    can be the same by chance.
+    All that it fails is failed, with the same numbers, and nothing else. Or it is two that do this
+    together. Fewer than ENOUGH numbers can be the same by chance.
     """
-    said = [sentence for sentence, failed in known_mistakes().get(exercise, ())
+    listed = known_mistakes().get(exercise, ())
+    said = [sentence for sentence, failed in listed
             if found.numbers and agree(failed, found.failed)]
+    said += [f"two things are wrong at once. One: {listed[one][0]}. The other: {listed[other][0]}"
+             for mark, one, other in known_mistakes().get(f"{exercise} twice", ())
+             if mark == digest(found.failed)]
     if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
         return None
     certain = found.numbers >= ENOUGH and OTHER not in found.failed.values()
@@ -125,14 +116,72 @@ def known_mistake(exercise, found):
 def agree(known, found):
     """Do both fail the same checks, with the same numbers where these can be compared?"""
     return known.keys() == found.keys() and all(
-        came in (known[check], OTHER) for check, came in found.items())
+        came == OTHER or whole(came) == whole(known[check]) for check, came in found.items())
+
+
+def digest(failed):
+    """Ten letters for all that a Pattern's failed checks were returned."""
+    told = repr(sorted((check, whole(mark)) for check, mark in failed.items()))
+    return hashlib.sha256(told.encode("utf-8")).hexdigest()[:10]
+
+
+def in_part(exercise, found):
+    """"in output 2 this may be what comes out when ...", of one or two known mistakes, or None.
+
+    All checks that they fail are failed. What came is theirs in a part, wherever they spoil it. Of
+    columns, no other is wrong.
+    """
+    named = {}
+    for sentence, failed in known_mistakes().get(exercise, ()):
+        if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
+            named.setdefault(places, []).append(sentence)
+    clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
+    wrong = {part.partition(":")[0] for mark in found.failed.values()
+             for part in (mark or "").split() if "." in part}
+    if not wrong <= {*itertools.chain(*clear)}:
+        clear = {places: said for places, said in clear.items() if "." not in places[0]}
+    if 0 < len(clear) <= 2:
+        return "; ".join(f"{in_words(places, found)} this may be what comes out when {said}"
+                         for places, said in clear.items())
+
+
+def alike(known, found):
+    """The places where a wrong answer does as a known mistake: ("2",), ("1.0", "1.2"), or ("5",
+    "checks"); () if there is none. Of columns, all that it spoils.
+    """
+    same = {"": []}
+    for check, mark in known.items():
+        if mark and found[check] != OTHER:
+            came = (found[check] or "").split()
+            same[""].append(whole(mark) in came)
+            for part in mark.split()[1:]:
+                same.setdefault(part.partition(":")[0], []).append(part in came)
+    checks = same.pop("")
+    places = [place for place, are in same.items() if all(are)]
+    outputs = tuple(place for place in places if "." not in place)
+    if not places and sum(checks) >= max(2, len(found) / 2):
+        return str(sum(checks)), "checks"
+    return outputs or tuple(places if len(places) == len(same) else ())
+
+
+def in_words(places, found):
+    """in output 2, in [..., 1] or [..., 2], in 5 of 7 checks."""
+    if places[-1] == "checks":
+        return f"in {places[0]} of {len(found.failed)} checks"
+    return "in " + " and ".join(f"[..., {place[2:]}]" if "." in place else f"output {place}"
+                                for place in places)
+
+
+def whole(mark):
+    """The fingerprint of all that was returned, without those of its parts."""
+    return mark and mark.partition(" ")[0]
 
 
 def hint(exercise, checks):
     """The hint that holds for all these Checks, those of an exercise that fail, or None.
 
-    A known mistake explains all of them. A suspicion is certain of one, or else that of several,
-    and no other speaks against it.
+    A known mistake explains all of them, or two do. A suspicion is certain of one, or else that of
+    several, and no other speaks against it. Where it tells no cause, mistakes explain a part.
     """
     found = pattern(checks)
     if any("changed its input" in check.message for check in checks):
@@ -141,7 +190,8 @@ def hint(exercise, checks):
         return known
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
-    return told(said, sure=any(one.certain for one in said))
+    suspected = told(said, sure=any(one.certain for one in said))
+    return suspected if suspected and is_sure(suspected) else in_part(exercise, found) or suspected
 
 
 def told(said, sure):
@@ -173,8 +223,14 @@ def kernel(sentence):
 
 def is_sure(said):
     """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
-    return "may be" not in said and not re.search(rf"(times what was|more than|less than) expected"
-                                                  rf"({PLACE})?$", said)
+    return "may be that" not in said and not re.search(
+        rf"(times what was|more than|less than) expected({PLACE})?$", said)
+
+
+def says_too(catches, said):
+    """Does a list of mistakes hold what a hint says? By the words of suspicions.py."""
+    stems = re.findall("sign|exchang|swap|order|transpos|square|zero|half|round|degrees", said)
+    return any(stem in catches.lower() for stem in stems)
 
 
 @functools.cache
@@ -206,7 +262,26 @@ def fingerprint_and_count(nodeid, returned, compared=None):
         returned = compared.got
     if returned is None or count(returned) > MOST or made(returned) > MOST_MADE:
         return None, 0
-    return fingerprint(nodeid, returned), count(returned)
+    marks = [fingerprint(nodeid, returned)]
+    marks += [f"{place}:{fingerprint(nodeid + place, part)[:6]}"
+              for place, part in parts(returned, compared) if count(part) >= ENOUGH]
+    return " ".join(marks), count(returned)
+
+
+def parts(returned, compared):
+    """Yield (place, part): "2" and output 2 of several, "2.0" and its column 0, if that is wrong.
+
+    Columns are those of what was compared, where it has up to 4.
+    """
+    for number, output in enumerate(returned if isinstance(returned, tuple) else (), 1):
+        yield str(number), as_array(output)
+    if compared is None or compared.got.shape != compared.expected.shape:
+        return
+    got, place = compared.got, place_in(returned, compared.got)
+    if place is not None and got.ndim > 1 and 1 < got.shape[-1] <= 4 and got.dtype.kind in "fc":
+        right = np.broadcast_to(compared.agrees(got, compared.expected), got.shape)
+        for k in np.flatnonzero(~right.reshape(-1, got.shape[-1]).all(0)):
+            yield f"{1 if place is WHOLE else place + 1}.{k}", got[..., k]
 
 
 def count(returned):

@@ -18,6 +18,7 @@ from .showing import PACKAGE, arguments, error_text
 CALL_SECONDS = 20.0  # that a call may take
 LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
+CALLS = pytest.StashKey()        # of a check: [(such a call, what it returned)]
 FIND = pytest.StashKey()         # of the run: finds functions that run in another process
 
 
@@ -31,13 +32,14 @@ class Implementation:
     that returns None or changes its inputs.
 
     find(name) -> the function, or what stands for it where it runs in another process: all that
-    is done with it is to call it. Or a class, or a module for its classes. stash keeps the last
-    call, for the report.
+    is done with it is to call it. Or a class, or a module for its classes. stash keeps all calls,
+    and the last one, for the report.
     """
 
     def __init__(self, find, stash):
         self._find = find
         self._stash = stash
+        stash[CALLS] = []
 
     def __getattr__(self, name):
         if name.startswith("_"):
@@ -54,6 +56,7 @@ class Implementation:
             self._stash[LAST_CALL] = function, args, kwargs
             self._stash[LAST_RETURN] = None
             returned = self._stash[LAST_RETURN] = contract.called(function, *given[0], **given[1])
+            self._stash[CALLS].append((self._stash[LAST_CALL], returned))
             require_returned(name, returned)
             require_unchanged(function, (args, kwargs), given)
             return returned
@@ -177,5 +180,4 @@ def limited(function):
                                            "go over far too much?")):
             return function(*args, **kwargs)
 
-    call.is_repeatable = True  # here, in this process: a hint may try other inputs
     return call

@@ -15,10 +15,11 @@ import numpy as np
 
 from .. import places
 from ..contract import UNFINISHED
+from ..suspicions import axes_in_words
 from ..table import COMMAND
 from . import hints
 from .assertions import Mismatch
-from .loader import LAST_CALL, LAST_RETURN, folder
+from .loader import CALLS, LAST_CALL, LAST_RETURN, folder
 from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
 
 
@@ -51,6 +52,8 @@ def judge(item, error, report, mark):
     mark: the check's. It names the exercise.
     """
     number = mark.args[0]
+    with contextlib.suppress(Exception):  # else it is the last one that is shown
+        item.stash[LAST_CALL], item.stash[LAST_RETURN] = compared_call(item, error.compared)
     verdict, rows = verdict_and_rows(item, error, report, number)
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
@@ -68,6 +71,21 @@ def judge(item, error, report, mark):
         perhaps = [("perhaps", catches)] if catches else []
         report.longrepr = layout([("claim", claim(item)), *perhaps, *rows,
                                   ("again", "\n".join(commands(item, number)))])
+
+
+def compared_call(item, compared):
+    """The call that returned what was compared, and its result: a check may go on to other calls.
+
+    Of a check that makes a row of each call, it is that of the first row that is wrong.
+    """
+    calls = item.stash[CALLS]
+    for call, returned in reversed(calls):
+        if hints.place_in(returned, compared.got) is not None:
+            return call, returned
+    got, expected, agrees, _ = compared
+    row = np.argwhere(~agrees(got, expected))[0][0]
+    is_row = len(calls) == len(got) and hints.is_made_of(got[row], calls[row][1])
+    return calls[row if is_row else -1]
 
 
 def is_drawn(item):
@@ -135,13 +153,23 @@ def explained(error, item):
     if "output" not in labels and "expected" in labels:
         place = labels.index("expected")
         rows[place:place] = output_row(error.compared, returned)
+    if is_misshaped(error):
+        words = axes_in_words(*map(np.shape, error.compared[:2]), arguments(*last) if last else ())
+        rows += [("shape", words)] if words else []
     return [*rows, ("check", check_line(error, item))]
 
 
+def is_misshaped(error):
+    """Has what was compared another shape than what was expected?"""
+    compared = getattr(error, "compared", None)
+    return compared is not None and compared.got.shape != compared.expected.shape
+
+
 def caught(item, error, rows):
-    """The mistakes that a check was written for, where it came so far; else "", as after a crash.
+    """The mistakes that a check was written for, where it came so far; else "", as after a crash,
+    or where the shape is wrong.
     """
-    if not isinstance(error, AssertionError) or (
+    if not isinstance(error, AssertionError) or is_misshaped(error) or (
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
@@ -199,7 +227,8 @@ def check_line(error, item):
 
 def claim(item) -> str:
     """test_a_face__s_area_is_positive -> "A face's area is positive", and its parameters."""
-    words = item.originalname.removeprefix("test_").replace("__s_", "'s ").replace("_", " ")
+    words = item.originalname.removeprefix("test_").replace("__", "' ").replace(
+        "' s_", "'s ").replace("_s_", "'s ").replace("_", " ")
     case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
     fine = " (fine print)" * is_fine_print(item.get_closest_marker("exercise"))
     return words[:1].upper() + words[1:] + case + fine

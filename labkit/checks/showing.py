@@ -1,4 +1,5 @@
 """How values, calls and errors are shown to a student, and the rows that a report is made of."""
+import contextlib
 import inspect
 import re
 import textwrap
@@ -17,7 +18,7 @@ COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
 MOST_QUOTED = 200  # characters shown of a line of code: one can be as long as a file
-UNFIT = re.compile(r"operands could not be broadcast together with shapes (\S+) (\S+) ?$")
+AN_AXIS = "keepdims=True keeps an axis of length 1, and None in an index adds one"
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
 
@@ -132,22 +133,43 @@ def shapes_there(trace, last):
     frames = [frame for frame, line in traceback.walk_tb(trace)
               if (frame.f_code.co_filename, line) == (last.filename, last.lineno)]
     known = frames[-1].f_locals
-    names = dict.fromkeys(re.findall(r"(?<![.\w])[A-Za-z_]\w*", quoted(last.line)))
-    shapes = [f"{name} {shape_name(known[name])}" for name in names
-              if isinstance(known.get(name), np.ndarray)]
+    known = {name: value for name, value in known.items() if isinstance(value, np.ndarray)}
+    names = re.findall(r"(?<![.\w])([A-Za-z_]\w*)(?:\[(\w+)\])?", quoted(last.line))
+    shapes = {name: known[name] for name, _ in names if name in known}
+    with contextlib.suppress(IndexError):  # then that is the error
+        shapes |= {f"{name}[{index}]": known[name][known[index]] for name, index in names
+                   if name in known and index in known}
+    shapes = [f"{name} {shape_name(array)}" for name, array in shapes.items()]
     return [f"    there: {', '.join(shapes)}"] if shapes else []
 
 
 def fitting(error):
-    """Yield a line, where two arrays that do not fit would do so with one more axis of length 1."""
-    if found := UNFIT.match(str(error)):
-        short, long = sorted((tuple(map(int, re.findall(r"\d+", shape)))
-                              for shape in found.groups()), key=len)
-        fits = [each for k in range(len(short) + 1)
-                if broadcasts(each := (*short[:k], 1, *short[k:]), long)]
-        if fits:
-            yield (f"    {short} fits as {fits[0]}: keepdims=True keeps such an axis, and None in "
-                   "an index adds one")
+    """Yield a line in plain words, where the shapes in an error tell why arrays do not fit."""
+    text = str(error)
+    shapes = sorted((tuple(map(int, re.findall(r"\d+", shape)))
+                     for shape in re.findall(r"\([\d,]+\)", text)), key=len)
+    if unlike := re.search(r"gufunc signature.*size (\d+) is different from (\d+)", text):
+        yield (f"    A @ B sums over the last axis of A and the last but one of B, a vector's only "
+               f"one: they have {unlike[2]} and {unlike[1]} numbers. Is one to be transposed (.T), "
+               "or is the order wrong?")
+    elif "must have same number of dimensions" in text:
+        yield f"    what is joined needs equally many axes: {AN_AXIS}"
+    elif "broadcast" in text and len(shapes) == 2:
+        yield f"    {unfit(*shapes)}"
+
+
+def unfit(short, long):
+    """Why two shapes do not broadcast, and what helps."""
+    fits = [each for k in range(len(short) + 1)
+            if broadcasts(each := (*short[:k], 1, *short[k:]), long)]
+    if fits:
+        return f"{short} fits as {fits[0]}: {AN_AXIS}"
+    if short == long[::-1]:
+        return f"{short} and {long} are equal when one is transposed, .T: rows became columns"
+    pairs = zip(reversed(short), reversed(long), strict=False)
+    one, other = next((pair for pair in pairs if len({*pair, 1}) == 3), (short, long))
+    return (f"lengths are compared from the last axis on, and must be equal or 1. Here {one} and "
+            f"{other} meet: are both of the same things, and their axes in the same order?")
 
 
 def cut(text):

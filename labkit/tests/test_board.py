@@ -237,7 +237,7 @@ def entry(number, verdict, *of_checks):
      "Next: 1.1 f, failing in 7 of 8 checks\npoints    0 of 2 points: 1 of 8 claims hold\n"
      "claim     claim 2\nfor it is failed\n"
      "fails too claim 3; claim 4; claim 5; 3 more\n"
-     "again     python3 -m course check 1.1\n"),
+     "picture   out/x.png\n          claim 7\nagain     python3 -m course check 1.1\n"),
     ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 1.3", "failed"),
       entry("1.3", "not started", "not started")],
      "Next: 1.3 f, not started\nclaim     claim 0\nagain     python3 -m course check 1.3\n"),
@@ -247,7 +247,16 @@ def entry(number, verdict, *of_checks):
 ], ids=["failing", "blocked by a later one", "blocked by another lab"])
 def test_next_is_what_can_be_worked_on_with_the_check_that_says_why(entries, text):
     """A student is sent to an exercise that is done, or that waits for another."""
-    assert board.next_to_do(entries, "labs", 0).startswith(text)
+    entries[0].checks[-1] = entries[0].checks[-1]._replace(picture=str(places.ROOT / "out/x.png"))
+    said = board.next_to_do(entries, "labs", 0)
+    assert said.startswith(text)
+    assert ("close 2.1 --core puts it in" in said) == ("blocked by 2.1" in said)
+
+
+def test_a_lab_of_steps_alone_has_no_points():
+    """0 of 0, and a bar of dots: nothing is to be had, and it looks like nothing done."""
+    step = entry("1.1", "failing", "failed")._replace(points=0)
+    assert board.title_row(1, "transforms", [step]) == ("Lab 1", "transforms")
 
 
 def test_pictures_of_what_failed_are_listed_and_opened(tmp_path, monkeypatch, capsys):
@@ -314,8 +323,7 @@ def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch)
     """After 1.2 comes 1.3 by its number, and the lecture teaches 1.6 first."""
     monkeypatch.setattr(board, "sections", lambda *_: dict.fromkeys(["1.2", "1.6", "1.3"]))
     entries = [entry(number, "not started") for number in ("2.1", "1.9", "1.3", "1.6")]
-    assert [one.number for one in board.in_lecture_order(entries)] == [
-        "1.6", "1.3", "1.9", "2.1"]
+    assert [one.number for one in board.in_lecture_order(entries)] == ["1.6", "1.3", "1.9", "2.1"]
 
 
 @pytest.mark.parametrize(("imports", "status", "sentence"), [
@@ -390,7 +398,6 @@ def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_here):
     assert "  1.1  double      2 of 2   done" in output
     assert "\nIt was stopped; not all checks have run.\n" in output
     assert ("Next: 1.2 half, failing in 1 of 2 checks, 1 not run\n"
-            "points    0 of 3 points: 0 of 2 claims hold\n"
             "claim     Half of nothing\n") in output
     assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
     assert process.returncode == 1

@@ -361,6 +361,8 @@ PLAIN = {  # name: exercise, lines
     "strict_is_not_strict": ("1.8", "impl.strict(0)"),
     "strict_tells_all": ("1.8", "impl.strict(1)", 'raise Told("it was given 1")'),
     "the_second_of_two": ("1.8", "_, two = impl.both(1.0)", "assert_close(two, 3.0)"),
+    "an_earlier_call": ("1.3", "got = impl.shifted(1.0, by=2.0)", "impl.shifted(1.0, by=9.0)",
+                        "assert_close(got, 3.0)"),
     "skips_itself": ("1.1", 'pytest.skip("not today")')}
 CHECKS = """\
 import numpy as np
@@ -456,6 +458,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
 @pytest.mark.parametrize(("test", "told"), [
     ("shifted_adds[one]", "shifting by 1.0"),  # the student's print
     ("the_second_of_two", "output    2 of 2"),
+    ("an_earlier_call", "given     shifted(x=1.0, by=2.0)\nexpected"),
     ("shifted_gives_two", "wrong     shifted returned one array or number; a tuple of several"),
     ("shifted_can_be_multiplied",
      "wrong     what shifted returned does not fit: ValueError: matmul"),
@@ -526,8 +529,11 @@ def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
     ("np.ones((5, 3)) / np.ones(5)", "(5,) fits as (5, 1): keepdims=True"),
     ("np.ones((4, 3)) * np.ones((4, 3, 2))", "(4, 3) fits as (4, 3, 1): "),
     ("np.ones((4, 2)) + np.ones((7, 4, 3, 2))", "(4, 2) fits as (4, 1, 2): "),
-    ("np.ones((4, 2)) + np.ones(3)", None),
-    ("np.ones((4, 2)) + np.ones((2, 4))", None), ("np.ones((4, 2)) @ np.ones(4)", None),
+    ("np.ones((4, 2)) + np.ones(3)", "must be equal or 1. Here 3 and 2 meet"),
+    ("np.ones((4, 2)) + np.ones((2, 4))", "(4, 2) and (2, 4) are equal when one is transposed"),
+    ("np.ones((4, 2)) @ np.ones(4)", "they have 2 and 4 numbers"),
+    ("np.concatenate([np.ones((2, 3)), np.ones(2)], -1)", "equally many axes: keepdims=True"),
+    ("rows = np.ones((6, 2)); i = np.arange(3); rows[i] * np.ones(3)", "rows[i] (3, 2)"),
     ("compile('\\0', 'a', 'exec')", None)])
 def test_an_axis_that_makes_two_arrays_fit_is_told(line, fits, tmp_path):
     """A missing keepdims is the commonest mistake of all, and the report has only its shapes; it
@@ -538,7 +544,7 @@ def test_an_axis_that_makes_two_arrays_fit_is_told(line, fits, tmp_path):
         exec(compile(line, tmp_path / "transforms.py", "exec"), {"np": np})
     said = error_text(error.value, tmp_path)
     assert "transforms.py:1 in" in said and (fits or "\n") in said
-    assert (" fits " in said) == bool(fits)
+    assert ("    " in said.partition("\n    ")[2]) == bool(fits)
 
 
 def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_here):

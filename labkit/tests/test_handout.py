@@ -92,6 +92,8 @@ def test_labs_what_they_need_their_checks_and_lectures_are_there(
     assert files(tmp_path, "course/complete/*.py") == {
         f"course/complete/{name}.py" for name in complete}
     assert bool(files(tmp_path, "course/fast/*_kernels.py")) == (labs is None)
+    linked = re.findall(r"\]\((\d\w+.ipynb)", (tmp_path / "notebooks/errata.md").read_text("utf-8"))
+    assert linked and all((tmp_path / "notebooks" / name).exists() for name in linked)
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
         assert exercises.read(tmp_path / f"labs/{topic}.py") == lab_text.skeleton(text)
@@ -208,7 +210,7 @@ def test_what_labs_add_to_an_earlier_hand_out_replaces_nothing_of_it(after, labs
                        for folder in (tmp_path / name for name in ("old", "new", "whole")))
     assert f"labs/{exercises.LABS[int(labs) - 1][0]}.py" in new and not old.keys() & new.keys()
     assert (old | new).keys() == whole.keys()
-    with_links = {"README.md", *(name for name in old if name.endswith(".ipynb"))}
+    with_links = {name for name in old if name.endswith((".md", ".ipynb"))}
     assert {name for name, part in (old | new).items() if part != whole[name]} <= with_links
 
 

@@ -9,9 +9,8 @@ import pytest
 from labkit import exercises, places
 from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, hints
 from labkit.checks.report import Check
-from labkit.checks.retries import mistakes, mixed_up
 from labkit.checks.runner import explained, run_checks
-from labkit.suspicions import Suspicion, suspicion
+from labkit.suspicions import Suspicion, axes_in_words, suspicion
 
 CORNER = np.array([[1.0, 2.0, 4.0], [-3.0, 5.0, 9.0]])
 FOUR, SIX = np.tile(CORNER, (2, 1)), np.tile(CORNER, (3, 1))
@@ -156,6 +155,17 @@ def test_float32_is_not_named_where_the_numbers_are_far_off():
     assert "float32" not in told(assert_close, CORNER * [1, 1, 1.001], CORNER)
 
 
+@pytest.mark.parametrize(("came", "expected", "told"), [
+    ((3,), (5, 3), "axis 0 is lost"), ((5,), (5, 1), "axis 1 is lost"),
+    ((5, 5), (5,), "(5,) with (5, 1) gives (5, 5)"), ((5, 3, 2), (5, 2), "axis 1 is too many"),
+    ((4, 3), (3, 4), "another order"), ((7,), (5, 3), None),
+    ((4,), (3,), "without axis 0, x (3, 4) becomes (4,), and without axis 1 (3,)")])
+def test_what_became_of_an_axis_is_told_by_the_shapes(came, expected, told):
+    """A sum over the wrong axis, or one more axis by broadcasting, and two tuples are all."""
+    said = axes_in_words(came, expected, [("n", 2), ("x", np.ones((3, 4)))])
+    assert said == told or told in said
+
+
 @pytest.mark.parametrize("shape", [(), (0,), (1,), (3,), (2, 3), (3, 3), (4, 1, 3)], ids=str)
 @pytest.mark.parametrize("kind", [bool, int, float, complex, "U1"])
 def test_any_numbers_can_be_looked_at(shape, kind):
@@ -167,45 +177,13 @@ def test_any_numbers_can_be_looked_at(shape, kind):
         suspicion(got, expected, lambda a, b: np.asarray(a == b),
                   [("faces", index), ("x", got), ("name", "a"), ("none", None), ("ragged", RAGGED),
                    ("empty", np.zeros((0, 3))), ("no faces", np.zeros((0, 3), int))])
-        list(mistakes({"faces": index, "x": got, "y": expected, "ragged": RAGGED, "n": 2}))
-
-
-# --- other inputs -----------------------------------------------------------------------------
-
-
-def edge(p, a, b):
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
-
-
-@pytest.mark.parametrize(("wrong", "change"), [
-    (lambda p, a, b: edge(a, p, b), "p and a are exchanged"),
-    (lambda p, a, b: edge(p, a[::-1], b), "0 and 1 are exchanged along axis 0 of a"),
-    (lambda p, a, b: edge(-p, a, b), "the sign of p is flipped"),
-    (lambda p, a, b: edge(p, a, b) + 0.1, None)])
-def test_what_is_mixed_up_is_found_by_other_inputs(wrong, change):
-    """Two parameters are exchanged, or their coordinates, and no number shows it."""
-    p, a, b = np.array([[0.3, 0.9], [0.1, 0.2], [0.8, 0.5]])
-
-    def is_right(got):
-        return np.isclose(got, edge(p, a, b))
-
-    assert mixed_up(lambda p, a, b: wrong(p, a, b), (p, a, b), {}, is_right) == change
-
-
-def test_other_inputs_that_the_answer_cannot_take_are_passed_over(capsys):
-    """The hint fails, or what the answer prints for other inputs is taken for the student's."""
-    def wrong(matrix, point):
-        print("called")
-        return matrix.T @ point
-
-    matrix, point = np.arange(6.0).reshape(3, 2), np.array([2.0, 7.0])
-    right = matrix @ point
-    assert mixed_up(wrong, (matrix, point), {}, lambda got: np.array_equal(got, right)) == (
-        "matrix is transposed")
-    assert capsys.readouterr().out == ""
 
 
 # --- all checks of an exercise ----------------------------------------------------------------
+
+
+def edge(p, a, b):
+    raise NotImplementedError  # it is named alone
 
 
 def failed(nodeid, suspected, fine_print=False):
@@ -241,7 +219,8 @@ TIMES = "everything is 0.666667 times what was expected"
     ("it is flipped", False, "it may be that it is flipped", True), (TIMES, True, TIMES, True),
     (f"{TIMES}; len(x) is 9", True, f"{TIMES}; len(x) is 9", False),
     ("it is 4 times what was expected in [..., 1]", True,
-     "it is 4 times what was expected in [..., 1]", True)])
+     "it is 4 times what was expected in [..., 1]", True),
+    ("a sign is flipped", False, "it may be that a sign is flipped", False)])
 def test_a_hint_stands_first_and_once_and_a_list_only_where_it_is_not_sure(
         sentence, sure, hint, has_list):
     """The cause stands below thirty lines of numbers, and beside a list of other causes. Or a
@@ -296,9 +275,40 @@ def test_a_known_mistake_is_told_with_other_random_inputs(monkeypatch, marks, na
     """
     monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
         ("half", {"paper": "a", "random": "b"}), ("third", {"paper": "a", "random": "d"}),
-        ("twice", {"paper": "c", "random": "e"})]})
+        ("twice", {"paper": "c", "random": "e"})],
+        "1.1 twice": [[hints.digest({"paper": "g 1:2"}), 0, 2]]})
     told = hints.known_mistake("1.1", hints.Pattern(marks, 4))
     assert told == (named and f"this {' what comes out when '.join(named.rsplit(' ', 1))}")
+    both = hints.known_mistake("1.1", hints.Pattern({"paper": "g"}, 4))
+    assert both.endswith("when two things are wrong at once. One: half. The other: twice")
+
+
+A, B, C = "a 2:1", "b 1.0:2 1.1:3", "c"
+
+
+@pytest.mark.parametrize(("marks", "told"), [
+    ({"x": "d 1:9 2:1", "y": "e 2:4"}, "in output 2 this may be what comes out when half"),
+    ({"x": "d 1:9 2:7", "y": "e 2:4"}, None), ({"x": "d 2:1"}, None),
+    ({"u": "d 1.0:2 1.1:3"}, "in [..., 0] and [..., 1] this may be what comes out when third"),
+    ({"u": "d 1.0:2 1.1:3 1.2:5"}, None), ({"u": "d 1.0:2", "v": hints.OTHER}, None),
+    ({"r": C, "s": C, "t": "z"}, "in 2 of 3 checks this may be what comes out when twice"),
+    ({"r": C, "s": "z", "t": "z"}, None)])
+def test_a_known_mistake_is_told_of_the_part_in_which_it_is_seen(monkeypatch, marks, told):
+    """A second mistake in another output hides the first one. Or a mistake is told that fails a
+    check that passes, that shows in one column where another one is wrong, or in few checks.
+    """
+    monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
+        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}), ("twice", {"r": C, "s": C})]})
+    assert hints.in_part("1.1", hints.Pattern(marks, 9)) == told
+
+
+def test_parts_are_outputs_and_wrong_columns():
+    """A column that is right is taken for one that a mistake spoils, or three numbers for enough.
+    """
+    rows = np.arange(12.0).reshape(4, 3)
+    compared = mismatch(rows * [1, 1, 2], rows).compared
+    marks = hints.fingerprint_and_count("x", (rows[0], compared.got, rows), compared)[0].split()
+    assert [mark.partition(":")[0] for mark in marks[1:]] == ["2", "3", "2.2"]
 
 
 # --- wrong answers ----------------------------------------------------------------------------

@@ -1,8 +1,10 @@
 """Steps: asked on the way to an exercise, checked, and without points."""
+import graded
 import pytest
 from made_up import check_text, exercise_text
 from small_course import first_lab, grade_command, grades, hand_in
 
+from labkit import verdicts
 from labkit.lab_text import skeleton
 from labkit.table import WHEN_DONE
 
@@ -64,6 +66,15 @@ def test_whoever_wants_begins_at_the_joined_function(check, text, status, coming
     assert found == status and len(told) == len(coming), said
     assert [one[:len(right)] for one, right in zip(told, coming, strict=True)] == coming
     assert (f"{DONE}, 6 of 6 points" in said) == (status == 0)
+
+
+def test_fine_print_is_open_where_it_is_wrong():
+    """That of a caller fails with that of the step that it calls, and is told to be open, too."""
+    lab = [graded.exercise(number, "f", 2) for number in ("1.1", "1.2")]
+    found = [graded.check(one.number, verdict, verdict, fine_print=verdict == "failed")
+             for one in lab for verdict in ("passed", "failed")]
+    board = verdicts.entries({"transforms": lab}, ["1.1", "1.2"], {"1.2": ["1.1"]}, found)
+    assert [entry.told for entry in board] == ["done, fine print open", "done"]
 
 
 def test_the_board_has_steps_and_no_points_of_them(check):

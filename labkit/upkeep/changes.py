@@ -15,14 +15,12 @@ On both sides of the arrow stands an expression, or one or more statements ("a =
 "pass" on the right takes a statement away, and what stands there twice adds one. Where the left
 side is in the function more than once, "(#2)" at the end takes the second place.
 
-All is matched on syntax trees, so that spaces and line ends do not matter. A variable of the
-function may be called otherwise since: see `names_now`.
+All is matched on syntax trees, so that spaces and line ends do not matter.
 """
 import ast
 import builtins
 import copy
 import functools
-import itertools
 import re
 from typing import NamedTuple
 
@@ -205,38 +203,6 @@ def used_names(wanted, outside):
     return (old | names_in(*new) - own_names(*new)) - outside
 
 
-def names_now(function, several, outside):
-    """{name in a list: the function's own}, of variables that are called otherwise since.
-
-    several: the Changes of each mistake of the exercise. outside: names that the function finds
-    outside of itself. A name that the function lacks is a variable that the list does not name,
-    and the one with which all changes have their place. Where it may be two of them, it is none.
-    """
-    written = set().union(*(used_names(wanted, outside) for wanted in several))
-    missing = sorted(written - names_in(function))
-    free = sorted(own_names(function) - written - {function.name})
-    fitting = []
-    for chosen in itertools.permutations(free, len(missing)) if missing else ():
-        names = dict(zip(missing, chosen, strict=True))
-        if all(found_at(function, renamed(one, names)) for wanted in several for one in wanted):
-            fitting.append(names)
-    return fitting[0] if len(fitting) == 1 else {}
-
-
-def renamed(wanted, names):
-    """A Change with other names."""
-    return wanted._replace(old=with_names(wanted.old, names), new=with_names(wanted.new, names))
-
-
-def with_names(statements, names):
-    statements = copy.deepcopy(statements)
-    for node in itertools.chain(*map(ast.walk, statements)):
-        for field in "id", "arg", "name":
-            if getattr(node, field, None) in names and not isinstance(node, ast.keyword):
-                setattr(node, field, names[getattr(node, field)])
-    return statements
-
-
 # --- all of an exercise -----------------------------------------------------------------------
 
 
@@ -251,10 +217,8 @@ def wrong_functions(topic, exercise, listed):
     """
     function, texts = function_of(topic, exercise), []
     outside = outer_names(exercises.read(exercises.reference(topic))) - own_names(function)
-    several = [read(entry) for entry in listed]
-    names = names_now(function, several, outside)
-    for entry, wanted in zip(listed, several, strict=True):
-        wanted = [renamed(one, names) for one in wanted]
+    for entry in listed:
+        wanted = read(entry)
         unknown = sorted(used_names(wanted, outside) - names_in(function))
         try:
             if unknown:
@@ -263,6 +227,17 @@ def wrong_functions(topic, exercise, listed):
         except ValueError as error:
             raise ValueError(f"{entry.place}: {error}") from None
     return texts
+
+
+def again(text, entry):
+    """[the text of a wrong function with an Entry's changes, too]; [] if they have no place there.
+    """
+    function = ast.parse(text).body[0]
+    function.body.insert(0, None)  # in the place of the docstring
+    try:
+        return [changed(function, read(entry))]
+    except ValueError:
+        return []
 
 
 def read(entry):

@@ -6,25 +6,23 @@ tests/mistakes/<topic>.txt:
     2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)
           the border does not count as inside: > 0 for >= 0
 
-changes.py has the rules. Only what takes several lines, written in another way altogether, is a
-function in tests/mistakes/<topic>.py. That file is only read, never imported: each function takes
-the place of the one of its name. The words below a change, and the docstring of a function, go on
-after "this is what comes out when".
+changes.py has the rules. The words below a change go on after "this is what comes out when".
 
 Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
-function does in all checks what a known mistake does there, the report tells the sentence.
+function does in all checks what a known mistake does there, or what two of them do together, the
+report tells the sentence.
 
 At home there is no library, only tests/labs/hints.json: for each exercise the sentences, with
 what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
 `run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
-import ast
+import itertools
 import json
 import textwrap
 from typing import NamedTuple
 
 from .. import exercises, places
-from ..checks.hints import HINTS, known_mistakes, pattern
+from ..checks.hints import HINTS, digest, known_mistakes, pattern
 from ..checks.showing import plural
 from . import changes
 from .trials import Trial, caught_by
@@ -37,24 +35,6 @@ class Mistake(NamedTuple):
     exercise: exercises.Exercise
     text: str
     sentence: str
-
-
-def wrong_functions(topic):
-    """Yield (place, exercise, text, docstring in one line) of tests/mistakes/<topic>.py.
-
-    ValueError: a function is no exercise of the topic.
-    """
-    path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
-    text = exercises.read(path) if path.exists() else ""
-    lines = exercises.text_lines(text)
-    known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
-    for function in exercises.top_level_functions(text):
-        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
-        if function.name not in known:
-            raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
-                             "give it the name of one")
-        yield (place, known[function.name], "".join(lines[function.lineno - 1:function.end_lineno]),
-               " ".join((ast.get_docstring(function) or "").split()))
 
 
 def changed_functions(folder, topic):
@@ -78,8 +58,7 @@ def changed_functions(folder, topic):
 def library(topic):
     """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
     found = []
-    for place, exercise, text, sentence in (*changed_functions("mistakes", topic),
-                                            *wrong_functions(topic)):
+    for place, exercise, text, sentence in changed_functions("mistakes", topic):
         if not sentence:
             raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
                              'after "this is what comes out when"')
@@ -88,9 +67,21 @@ def library(topic):
     return sorted(found, key=lambda mistake: asked.index(mistake.exercise))
 
 
-def tried(topic):
+def twice(topic):
+    """Yield the Mistake of each two changes, made one after the other; its sentence is both."""
+    entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
+    for exercise in exercises.topic_exercises(topic):
+        listed = [entry for entry in entries if entry.number == exercise.number]
+        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
+        for pair in itertools.combinations(zip(listed, texts, strict=True), 2):
+            both = [text for (_, text), (other, _) in (pair, pair[::-1])
+                    for text in changes.again(text, other)]
+            if both:
+                yield Mistake(topic, exercise, both[0], tuple(entry.said for entry, _ in pair))
+
+
+def tried(topic, mistakes):
     """[(Mistake, [Check that caught it])]."""
-    mistakes = library(topic)
     trials = [Trial(mistake.exercise, mistake.text) for mistake in mistakes]
     return list(zip(mistakes, caught_by(topic, trials, all_checks=True), strict=True))
 
@@ -110,6 +101,19 @@ def patterns(found):
     return kept
 
 
+def doubles(found, singles):
+    """[[digest, and the numbers of two sentences in singles]] of what `tried` gives of `twice`.
+
+    One that does as a single mistake is left out.
+    """
+    number = {sentence: k for k, (said, _) in enumerate(singles)
+              for sentence in said.split(", or when ")}
+    known = {digest(failed) for _, failed in singles}
+    return [[mark, *(number[sentence] for sentence in mistake.sentence)]
+            for mistake, caught in found if {*mistake.sentence} <= number.keys()
+            and (mark := digest(pattern(caught).failed)) not in known]
+
+
 def run(target=None):
     """Try all mistakes, or those of a topic or a lab, and write tests/labs/hints.json.
 
@@ -117,11 +121,13 @@ def run(target=None):
     """
     made, alive = dict(known_mistakes()) if target else {}, []
     for topic in exercises.asked_for(target)[0]:
-        found = tried(topic)
+        found, both = tried(topic, library(topic)), tried(topic, list(twice(topic)))
         asked = list(dict.fromkeys(mistake.exercise for mistake, _ in found))
         for exercise in asked:
-            own = [pair for pair in found if pair[0].exercise == exercise]
+            own, twins = ([pair for pair in pairs if pair[0].exercise == exercise]
+                          for pairs in (found, both))
             made[exercise.number] = patterns(own)
+            made[f"{exercise.number} twice"] = doubles(twins, made[exercise.number])
         alive += [mistake for mistake, caught in found if not caught]
         print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
               f"in {plural(len(asked), 'exercise')}")
@@ -129,7 +135,7 @@ def run(target=None):
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     places.write_whole(HINTS, as_json(made).encode("utf-8"))
-    print(f"{plural(sum(map(len, made.values())), 'sentence')} in tests/labs/hints.json")
+    print(f"{plural(sum(len(made[n]) for n in made if ' ' not in n), 'sentence')} in {HINTS.name}")
     return int(bool(alive))
 
 

@@ -34,8 +34,7 @@ def difference(was, now, elsewhere=False):
     for old, new in zip(map(contents, was), map(contents, now), strict=True):
         for kind in old:
             differ = picture_difference if kind == "image/png" else text_difference
-            if old[kind] != new[kind] and (
-                    clause := differ(old[kind], new[kind], elsewhere)):
+            if old[kind] != new[kind] and (clause := differ(old[kind], new[kind], elsewhere)):
                 return clause
 
 

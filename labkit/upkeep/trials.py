@@ -17,9 +17,10 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from .. import exercises, places
-from ..checks import hints, retries
-from ..checks.loader import LAST_RETURN, PACKAGE
+from ..checks import hints
+from ..checks.loader import LAST_CALL, LAST_RETURN, PACKAGE
 from ..checks.report import Check, is_fine_print
+from ..contract import called
 
 SLOWER, AT_LEAST = 20, 8.0  # a trial may take so many times what the right answer takes; seconds
 MOST = 60.0  # seconds for a trial where the right answers are not tried
@@ -73,25 +74,34 @@ class Trials:
             right = getattr(module, trial.exercise.name)
             exec(compile(trial.text, "trial", "exec"), vars(module))
             failed = failures(sorted(self.of[trial.exercise.number], key=lambda item: (
-                hints.name(item.nodeid) != trial.likely)))
+                hints.name(item.nodeid) != trial.likely)), right)
             self.tell(list(itertools.islice(failed, None if self.asked.all_checks else 1)))
             setattr(module, trial.exercise.name, right)
         return True
 
 
-def failures(items):
-    """Run checks; yield the Check of each that fails."""
+def failures(items, right=None):
+    """Run checks; yield the Check of each that fails. Its mark is of what right returns otherwise.
+    """
     for item in items:
         item.stash[LAST_RETURN] = None
         for report in runtestprotocol(item, log=False, nextitem=item.parent):  # keeps the file's
             if report.failed:
-                yield Check(**report.check)
+                yield wrong_parts(Check(**report.check), item, right)
                 break
+
+
+def wrong_parts(check, item, right):
+    """The Check, in whose mark are only those parts that the right function returns otherwise."""
+    if " " not in (check.mark or "") or not right:
+        return check
+    _, args, kwargs = item.stash[LAST_CALL]
+    known = hints.fingerprint_and_count(item.nodeid, called(right, *args, **kwargs))[0].split()
+    return check._replace(mark=" ".join(part for part in check.mark.split() if part not in known))
 
 
 def work(topic, trials, asked, pipe):
     """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
-    retries.RETRY_SECONDS = 0.0  # nobody reads their hints
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all

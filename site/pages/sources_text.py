@@ -96,8 +96,7 @@ def equation(number, page, latex):
     """An equation of a lecture's page, typeset, and its number as a link to it."""
     link = (f'<a class="number" href="{equation_address(page, number)}" '
             f'title="Equation {number} in its lecture">({number})</a>')
-    return (as_myst('<div class="equation">') + as_myst(latex, "{math}")
-            + as_myst(f"{link}</div>"))
+    return (as_myst('<div class="equation">') + as_myst(latex, "{math}") + as_myst(f"{link}</div>"))
 
 
 def equation_address(page, number):

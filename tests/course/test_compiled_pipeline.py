@@ -10,13 +10,7 @@ import pytest
 from course.given import compiled, mesh
 from course.given.compiled import without_kernels
 from labkit import places
-from reference import (
-    antialiasing,
-    compiled_pipeline,
-    pipeline,
-    rasterization,
-    transforms,
-)
+from reference import antialiasing, compiled_pipeline, pipeline, rasterization, transforms
 from reference.pipeline import Colours
 
 WIDTH, HEIGHT = 13, 11
@@ -196,8 +190,7 @@ def ways_back(buffers, **parts):
     buffers = buffers._replace(pairs=pairs, **{name: given.pop(name) for name in
                                                ("face_index", "clip") if name in given})
     for way in compiled_pipeline.draw_backward, without_kernels(pipeline.draw_backward):
-        yield lambda way=way: way(given["grad_picture"], buffers, given["faces"],
-                                  given["material"])
+        yield lambda way=way: way(given["grad_picture"], buffers, given["faces"], given["material"])
 
 
 @pytest.mark.parametrize("parts", [

@@ -145,13 +145,11 @@ def test_imports_go_one_way():
 @pytest.mark.parametrize(("module", "line", "imported"), [
     ("course.given.inputs", "from reference import msaa", "reference.msaa"),
     ("course.given.inputs", "from .. import commands", "course.commands"),
-    ("reference.msaa", "from course.scenes import demo",
-     "course.scenes.demo"),
+    ("reference.msaa", "from course.scenes import demo", "course.scenes.demo"),
     ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
     ("reference.msaa", "from . import multi_view_fit", ""),
     ("reference.msaa", "from . import face_kernels", "reference.face_kernels"),
-    ("course.scenes.demo", "def late():\n    from reference import msaa",
-     "reference.msaa"),
+    ("course.scenes.demo", "def late():\n    from reference import msaa", "reference.msaa"),
     ("course.scenes.demo", "from apps.reconstruct import hulls", "apps.reconstruct.hulls"),
     ("apps.reconstruct.hulls", "from ..bridge import tensors", "apps.bridge.tensors"),
     ("labkit.checks.loader", "import reference.msaa", "reference.msaa"),
@@ -214,8 +212,8 @@ def test_every_folder_has_its_sign():
 
 
 @pytest.mark.parametrize(("old", "new", "sentence"), [
-    ("    retries ", "    retrials ", "the sign of labkit.checks lacks retries"),
-    ("    retries ", "    retrials ", "the sign of labkit.checks invents retrials"),
+    ("    pictures ", "    paintings ", "the sign of labkit.checks lacks pictures"),
+    ("    pictures ", "    paintings ", "the sign of labkit.checks invents paintings"),
     ("    showing  ", "    report  above\n    showing  ",
      "the sign of labkit.checks has report above showing, which it imports")])
 def test_a_wrong_sign_is_found(old, new, sentence):

@@ -63,6 +63,5 @@ def test_every_fine_print_has_an_answer_that_knows_nothing_of_it():
     """A check of the question asks for what only the fine print says, and nobody has tried."""
     for topic in exercises.topics():
         typed = {exercise for _, exercise, _, _ in mistakes.changed_functions("literal", topic)}
-        fine = {exercise for exercise in core(topic)
-                if "Fine print." in docstring(topic, exercise)}
+        fine = {exercise for exercise in core(topic) if "Fine print." in docstring(topic, exercise)}
         assert fine <= typed <= {*core(topic)}, topic

@@ -492,7 +492,7 @@ def test_attributes_are_those_of_nvdiffrast(impl, scene):
 
 
 @exercise("5.12")
-def test_the_weights_gradients_of_six_pixels(impl):
+def test_the_weights__gradients_of_six_pixels(impl):
     """grad_output, or the sum over the channels, is left out, or the corners are in another order.
     A mean is subtracted, as if the weights had to sum to 1. -1 is used as an index.
     """
@@ -501,7 +501,7 @@ def test_the_weights_gradients_of_six_pixels(impl):
 
 
 @exercise("5.12")
-def test_the_attributes_gradients_of_six_pixels(impl):
+def test_the_attributes__gradients_of_six_pixels(impl):
     """A vertex that several pixels see keeps one gradient, or the mean: grad[vertex] += ... adds
     only once. The weights are left out. -1 is used as an index, of the last face.
     """

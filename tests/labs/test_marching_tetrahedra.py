@@ -254,7 +254,8 @@ def test_two_tetrahedra_share_the_points_of_their_edges(impl):
 
 @exercise("15.8", fine_print=True)
 def test_zero_is_outside_and_nothing_is_no_surface(impl):
-    """A distance of 0 counts as inside, <= for <; or without a surface there is an error."""
+    """A distance of 0 counts as inside, <= in place of <; or without a surface there is an
+    error."""
     tetrahedra = np.array([[0, 1, 2, 3]])
     vertices, _, ends = impl.marching_tetrahedra(CORNERS, np.array([-1.0, 0, 0, 2]), tetrahedra)
     assert_equal(ends, [[0, 1], [0, 2], [0, 3]])

@@ -1,16 +1,7 @@
 """What the exercises of lab 8 that walk on to an outline must do."""
 import edges_in_space
 import numpy as np
-from edges_in_space import (
-    AROUND,
-    CORNERS,
-    EDGES,
-    LEFT,
-    as_pairs,
-    in_space,
-    pairs_around,
-    soup,
-)
+from edges_in_space import AROUND, CORNERS, EDGES, LEFT, as_pairs, in_space, pairs_around, soup
 
 from course.scenes.relaxation import split_in_four
 from labkit.checks import assert_close, assert_equal, exercise
@@ -89,7 +80,7 @@ def test_faces_that_reach_behind_the_camera_are_left_in_front_of_it(impl, rng):
 
 @exercise("8.15", fine_print=True)
 def test_a_corner_on_the_line_counts_as_above(impl):
-    """<= for <: a line through a corner goes back where it came from."""
+    """<= in place of <: a line through a corner goes back where it came from."""
     x, y = np.array([0.0, 0.0, 2.0, 4.0]), np.array([-1.0, 3.0, 0.5, 1.0])
     faces = np.array([[0, 1, 2], [2, 1, 3], [0, 2, 3]])
     one = np.array([0]), np.array([1])
@@ -156,8 +147,7 @@ def walkers(rng, screen, faces, count, width=7):
     found = []
     for owner, other in zip(*pairs_around(rng, count), strict=True):
         centre = owner % width + 0.5, owner // width + 0.5
-        seen = [f for f, face in enumerate(faces)
-                if covers(np.stack(screen[:2], 1)[face], *centre)]
+        seen = [f for f, face in enumerate(faces) if covers(np.stack(screen[:2], 1)[face], *centre)]
         if len(seen) == 1:
             found.append((owner, other, seen[0]))
     return np.array(found).T

@@ -53,8 +53,7 @@ def test_a_pair_does_not_go_over_the_end_of_a_row(impl):
 @exercise("8.10")
 def test_the_nearer_face_owns_the_edge(impl):
     """The deeper one is the owner, or always the left or lower one."""
-    assert_equal(pairs_of(impl, [[-1, 1, 0], [2, 1, -1]]),
-                 ([1, 2, 2, 3, 4, 4], [0, 1, 5, 0, 3, 5]))
+    assert_equal(pairs_of(impl, [[-1, 1, 0], [2, 1, -1]]), ([1, 2, 2, 3, 4, 4], [0, 1, 5, 0, 3, 5]))
 
 
 @exercise("8.10")
@@ -72,7 +71,8 @@ def test_neighbours_are_those_of_a_search(impl, rng):
 
 @exercise("8.10", fine_print=True)
 def test_of_equally_deep_pixels_the_second_is_the_owner(impl):
-    """<= for <: the left or lower one is. Or what is nearly as deep counts as equally deep."""
+    """<= in place of <: the left or lower one is. Or what is nearly as deep counts as equally
+    deep."""
     depth = np.array([[0.5, 0.5], [0.5 - 1e-12, 0.5]])
     owner, other = impl.neighbours(np.array([[0, 1], [2, 2]]), depth)
     order = np.argsort(owner)
@@ -165,8 +165,8 @@ def is_blended(impl, ends):
 
 @exercise("8.12")
 def test_an_edge_at_45_degrees_is_steep(impl):
-    """> for >=, the two lengths are swapped, or none is looked at. Without abs, an edge that falls
-    or leans to the left is judged by its sign."""
+    """> in place of >=, the two lengths are swapped, or none is looked at. Without abs, an edge
+    that falls or leans to the left is judged by its sign."""
     leans = np.array([2.0, -2.0, 2 + 1e-9, -2 - 1e-9, 2 - 1e-9, 0.0, 9.0])
     for turned in 1, -1:
         ends = [(0.25 - x / 2, -turned, 0.25 + x / 2, turned) for x in leans]
@@ -175,8 +175,8 @@ def test_an_edge_at_45_degrees_is_steep(impl):
 
 @exercise("8.12")
 def test_the_crossing_lies_between_the_centres_or_less_than_the_window_outside(impl):
-    """Edges beyond the pair blend. >= for >. The WINDOW of 1/16 is left out, or another one, or on
-    one side only, or it makes the range of c smaller and not larger."""
+    """Edges beyond the pair blend. >= in place of >. The WINDOW of 1/16 is left out, or another
+    one, or on one side only, or it makes the range of c smaller and not larger."""
     c = [0.0, 0.7, 1.0, -0.2, 1.2, 7.0, -1 / 16, 1 + 1 / 16, -0.0624, 1.0624, -0.0626, 1.0626]
     expected = np.array([1, 1, 1, 0, 0, 0, 0, 0, 1, 1, 0, 0], bool)
     assert_equal(is_blended(impl, [(x, -1.0, x, 2.0) for x in c]), expected)

@@ -103,7 +103,7 @@ def test_left_and_lower_edges_own_their_samples(impl):
 
 @exercise("2.5")
 def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
-    """>= for >: both faces own a vertical edge, or neither owns a horizontal one."""
+    """>= in place of >: both faces own a vertical edge, or neither owns a horizontal one."""
     n_x, n_y = rng.integers(-2, 3, (2, 200)).astype(float)
     edge = (n_x != 0) | (n_y != 0)
     one, other = impl.is_top_left(n_x, n_y), impl.is_top_left(-n_x, -n_y)
@@ -274,8 +274,8 @@ def test_a_fan_covers_its_hub_once(impl, rng):
 
 @exercise("2.6", fine_print=True)
 def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
-    """< for <= where the depth is compared with -1 and 1 (near and far plane). Or z is the sum
-    l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
+    """< in place of <= where the depth is compared with -1 and 1 (near and far plane). Or z is the
+    sum l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
     """
     triangle = np.array([[-1.95, -3.85], [31.85, -1.1], [-0.65, 31.35]])
     found = [impl.cover(centres(13, 11), triangle, np.full(3, z)) for z in (-1.0, 1.0)]
@@ -310,7 +310,7 @@ def test_the_box_is_wider_by_the_margin(impl):
 
 @exercise("2.8", fine_print=True)
 def test_a_centre_on_its_border_is_in_the_box(impl):
-    """> for >=: a centre on the border is out."""
+    """> in place of >=: a centre on the border is out."""
     low, high = 1.5 + 1 / 256, 4.5 - 1 / 256
     box = impl.bounding_box(np.array([[low, high], [high, low], [3.0, 3.0]]), 9, 9)
     assert_equal(box, (1, 1, 5, 5))
@@ -383,7 +383,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
 
 @exercise("2.10", fine_print=True)
 def test_faces_without_area_are_culled(impl):
-    """>= for >: faces without area are kept."""
+    """>= in place of >: faces without area are kept."""
     x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
     faces = np.array([[0, 1, 2], [0, 0, 1]])
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
@@ -481,8 +481,7 @@ def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
     """Rows and columns of the box are swapped, or a small area counts as none."""
     x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
     clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
-    found = [impl.rasterize(clip, np.array([face]), 6, 4)[0]
-             for face in ([0, 1, 2], [0, 2, 1])]
+    found = [impl.rasterize(clip, np.array([face]), 6, 4)[0] for face in ([0, 1, 2], [0, 2, 1])]
     assert_picture(np.vstack(found), np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3] * 2))
 
 

@@ -8,9 +8,9 @@ from labkit.checks import assert_close, exercise
 
 @exercise("7.11")
 def test_six_gradients_of_two_pixels_on_paper(impl):
-    """A corner has the gradient of one of its two edges alone, as by = for +=. A sign: that of one
-    of the two terms of e_k, or of all. x and y are exchanged, or grad_x and grad_y. Edge k is not
-    across from corner k, or edge 1 is not that from 2 to 0.
+    """A corner has the gradient of one of its two edges alone, as by = in place of +=. A sign: that
+    of one of the two terms of e_k, or of all. x and y are exchanged, or grad_x and grad_y. Edge k
+    is not across from corner k, or edge 1 is not that from 2 to 0.
     """
     x = np.array([[3.0, -1.0], [4.0, 6.0], [2.0, 0.5]])
     y = np.array([[2.0, 7.0], [1.0, -3.0], [5.0, 8.0]])

@@ -296,7 +296,7 @@ def test_w_stays_1(impl):
 @exercise("1.12")
 def test_the_sides_of_the_box_become_those_of_the_cube(impl):
     """The centre is not shifted to 0, or the wrong way (the translation's sign, or its column). 1
-    for 2: ndc is 2 wide. r + l for r - l, or l, r, b, t mixed up.
+    in place of 2: ndc is 2 wide. r + l in place of r - l, or l, r, b, t mixed up.
     """
     assert_close(impl.orthographic(*SIDES)[:2], [[0.4, 0.0, 0.0, -0.6], [0.0, 0.25, 0.0, -0.25]])
 

@@ -106,9 +106,9 @@ def test_slopes_are_central_differences(impl, m, rng, gradcheck):
 
 @exercise("7.5")
 def test_the_gradients_on_paper(impl):
-    """grad_values is not c, M^-1 a. grad_a: M^-1 r for M^-T r. grad_m: transposed, the sign of the
-    picture's slope, r or a in place of grad_a or c. Or its last row is 0: the 1s are no constants.
-    grad_target: the sign. Or f is a factor."""
+    """grad_values is not c, M^-1 a. grad_a: M^-1 r in place of M^-T r. grad_m: transposed, the sign
+    of the picture's slope, r or a in place of grad_a or c. Or its last row is 0: the 1s are no
+    constants. grad_target: the sign. Or f is a factor."""
     got = impl.residual_backward(1.0, VALUES, PAPER, A, 1.5)
     assert_close(got, ([0.375, 0.5, 0.125], BY_M, [-2.0, -2.5, 8.0], -1.0))
 
@@ -154,10 +154,10 @@ def columns(triangle, colours):
 @exercise("7.7")
 @pytest.mark.parametrize("winding", [1, -1])
 def test_a_triangle_beside_its_place_gets_there_in_one_step(impl, winding):
-    """The step goes uphill: a sign, of the residuals or of eq. (4). M^-1 r for M^-T r, or M is not
-    inverted. x and y are swapped, or the 1 of a = (x, y, 1) is left out. The weights are left out:
-    all vertices get the whole slope. Channels or vertices are mixed up, as by reshape. Or known
-    colours change.
+    """The step goes uphill: a sign, of the residuals or of eq. (4). M^-1 r in place of M^-T r, or M
+    is not inverted. x and y are swapped, or the 1 of a = (x, y, 1) is left out. The weights are
+    left out: all vertices get the whole slope. Channels or vertices are mixed up, as by reshape. Or
+    known colours change.
     """
     triangle, shift = LEANING[::winding], np.array([0.5, -0.25])
     got = impl.fit_step(triangle, GREEN, AT, sheet(triangle + shift, GREEN, AT))

@@ -39,8 +39,7 @@ def run(folder, labs=None, solutions=None, extra=False, after=None) -> int:
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
-    content = (new(asked, after, released, extra) if after
-               else dict(files(asked, released, extra)))
+    content = (new(asked, after, released, extra) if after else dict(files(asked, released, extra)))
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -99,7 +98,8 @@ def files(asked, released, extra):
     for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
-            yield name, path.read_bytes()
+            text = unlinked(exercises.read(path), asked) if path.match("notebooks/*.md") else ""
+            yield name, text.encode() or path.read_bytes()
     yield from labs_of(asked, released, extra)
     for topic in came_along(asked):
         path = exercises.reference(topic)
@@ -207,7 +207,7 @@ def without_marks(text):
 
 
 def unlinked(text, asked):
-    """A notebook whose links to what is not handed out are their words alone."""
+    """A lecture, or a page beside it, whose links to what is not handed out are words alone."""
     there = {path.name for path in [*lectures(asked), *places.ROOT.glob("notebooks/00*")]}
     return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb|\.\./site/README\.md)[^)]*\)",
                   lambda link: link[0] if link[2] in there else link[1], text)

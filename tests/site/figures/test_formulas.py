@@ -155,8 +155,7 @@ def test_mip_level(call, agrees):
     levels, = call("mip_level", "pyramid", [texture[..., 0]])
     for found, wanted in zip(levels, mipmapping.pyramid(texture), strict=True):
         np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
-    agrees("mip_level", "bilinear", mipmapping.texture(texture, uv)[:, 0],
-           [levels[0]] * 100, *uv.T)
+    agrees("mip_level", "bilinear", mipmapping.texture(texture, uv)[:, 0], [levels[0]] * 100, *uv.T)
     jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
     wanted = mipmapping.texture(texture, uv, jacobian, filter_mode="linear-mipmap-linear")[:, 0]
     agrees("mip_level", "trilinear", wanted, [levels] * 100, *uv.T,
@@ -267,8 +266,7 @@ def outlined():
     turned = rasterization.signed_area(points) < 0
     points[turned] = points[turned, ::-1]
     points = points[rasterization.signed_area(points) > 0.5]
-    clip = [np.column_stack([2 * p / (WIDTH, HEIGHT) - 1, np.zeros(3), np.ones(3)])
-            for p in points]
+    clip = [np.column_stack([2 * p / (WIDTH, HEIGHT) - 1, np.zeros(3), np.ones(3)]) for p in points]
     seen = [rasterization.rasterize(each_clip, FACE, WIDTH, HEIGHT) for each_clip in clip]
     return points, clip, seen, rng.normal(size=(len(points), HEIGHT, WIDTH))
 
