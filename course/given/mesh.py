@@ -11,7 +11,6 @@ import re
 from pathlib import Path
 
 import numpy as np
-import scipy.sparse
 
 DATA = Path(__file__).parent / "data"
 
@@ -277,6 +276,8 @@ def boundary_edges(faces):
 
 def adjacency(faces, vertex_count):
     """-> sparse (V, V), symmetric: 1 where an edge joins two vertices, else 0."""
+    import scipy.sparse  # so large that only who needs it loads it: in a browser it takes seconds
+
     low, high = edges(faces)[0].T
     rows, columns = np.concatenate([low, high]), np.concatenate([high, low])
     ones = np.ones(len(rows))

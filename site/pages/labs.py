@@ -7,7 +7,7 @@ from docutils.nodes import make_id
 
 from labkit import exercises, places
 
-from . import put, sources_course
+from . import practice, put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points
 from .sources_course import bound
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
@@ -19,12 +19,15 @@ ABOUT = ("Each lab is the code of one lecture, with functions left for you to wr
          )
 
 
-def write(folder):
-    """Write folder/labs: a page for each lab, and the index of all exercises."""
+def write(folder, extra, python):
+    """Write folder/labs: a page for each lab, and the index of all exercises. To extra goes what is
+    needed to do them there. python: see practice.
+    """
+    practice.write(extra, python)
     course = sources_course.read()
     put(folder / "labs" / "index.md", index(course))
     for lab, lecture in course.lectures.items():
-        put(folder / "labs" / f"{lecture.page}.md", page(course, lab))
+        put(folder / "labs" / f"{lecture.page}.md", page(course, lab, python))
 
 
 def summary(course, lab):
@@ -52,7 +55,7 @@ def index(course):
     return "\n".join(parts)
 
 
-def page(course, lab):
+def page(course, lab, python):
     """One lab: its table of exercises, then their questions."""
     lecture, asked = course.lectures[lab], course.lectures[lab].asked
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
@@ -67,6 +70,7 @@ def page(course, lab):
                       f"You write in {files(asked)}. To check it: "
                       f"`python3 -m course check {lab}`. A number that is missing belongs to given "
                       "code.\n", overview(course, asked),
+                      as_myst(practice.work(exercises.LABS[lab - 1], python)),
                       *(question(course, name) for name in asked)])
 
 
@@ -104,6 +108,7 @@ def question(course, name):
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       docstring(course, module, node),
+                      as_myst(practice.place(exercise, module.topic)),
                       as_myst(read_on(course, name))])
 
 

@@ -41,7 +41,7 @@ def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
                       html.unescape(text))
         return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
 
-    texts_links.write(tmp_path, tmp_path / "extra", lite=False)
+    texts_links.write(tmp_path, tmp_path / "extra")
     for source, page in names.TEXTS.items():
         text = (ROOT / source).read_text("utf-8")
         assert bare((tmp_path / f"{page}.md").read_text("utf-8")) == bare(text), source
