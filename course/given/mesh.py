@@ -199,7 +199,7 @@ def vertex_normals(vertices, faces):
 
     Zero for a vertex of no face.
     """
-    corner = faces.ravel()
+    corner = faces.ravel().astype(np.intp)  # in a browser, bincount takes no wider one
     columns = area_vectors(vertices, faces).repeat(3, 0).T  # each face's, at its three corners
     return unit(np.stack([np.bincount(corner, column, len(vertices)) for column in columns], -1))
 

@@ -165,7 +165,8 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
                "--labs", "1-2", "--isolation", "process", "--jobs", "1")
     with (tmp_path / "out" / "grades.csv").open(encoding="utf-8") as table:
         row, = csv.DictReader(table)
-    assert (row["1.2"], row["2.6"], row["2.8"]) == ("1", "6", "0"), row
+    marks = {title.split()[-1]: points for title, points in row.items()}
+    assert [marks[name] for name in ("transform", "cover", "bounding_box")] == ["1", "6", "0"]
 
     other = desks().new_page()
     other.goto(f"{address}/{LAB_2}")
@@ -176,24 +177,22 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
     other.close()
 
 
-@pytest.mark.parametrize(("what", "says"), [
-    ("fetch = () => Promise.reject(new TypeError('Failed to fetch'))", "this computer is offline"),
-    ("Worker = undefined", "too old"),
-    ("WebAssembly.Memory = function () { throw new RangeError('out of memory') }", "no memory")])
-def test_where_python_does_not_come_a_sentence_says_so(what, says, desks, address):
+@pytest.mark.parametrize("says", ["this computer is offline", "too old", "no memory"])
+def test_where_python_does_not_come_a_sentence_says_so(says, desks, address):
     """The page waits for ever, or shows a line of JavaScript."""
-    desk = desks()
-    desk.route("**/practice/worker.js", lambda route: route.fulfill(
-        body=f"{what};\n{(Path(__file__).parents[2] / 'site/static/practice/worker.js').read_text()}",
-        content_type="text/javascript"))
-    page = desk.new_page()
-    if "Worker" in what:
-        page.add_init_script(f"window.{what}")
+    page = desks().new_page()
+    if says == "too old":
+        page.add_init_script("delete window.Worker")
+    elif says == "no memory":
+        page.route("**/practice/worker.js", lambda route: route.fulfill(
+            body="throw new RangeError('out of memory')", content_type="text/javascript"))
+    else:
+        page.context.route(f"{CDN}**", lambda route: route.abort())
     page.goto(f"{address}/{LAB_1}")
     found = place(page, "transform")
     found.locator(".check").click()
     expect(found.locator(".report")).to_contain_text(says, timeout=60_000)
-    assert "In a terminal" in found.locator(".report").inner_text()
+    assert "python3 -m course check 1.2" in found.locator(".report").inner_text()
     page.close()
 
 

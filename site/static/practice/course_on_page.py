@@ -40,7 +40,8 @@ def put(files):
     shutil.copytree(ROOT / "labkit" / "handed_out", ROOT / "labs", dirs_exist_ok=True)
     for topic, text in files.items():
         (ROOT / "labs" / f"{topic}.py").write_text(text, "utf-8")
-    for name in [name for name in sys.modules if name.startswith("labs.")]:
+    stale = ("labs.", "tests.") if missing.wanted else "labs."  # checks that were not imported
+    for name in [name for name in sys.modules if name.startswith(stale)]:
         del sys.modules[name]
     importlib.invalidate_caches()
     missing.wanted.clear()

@@ -16,6 +16,7 @@ export function edit(place, label, text, changed, run) {
         if (update.docChanged) changed(update.state.doc.toString());
       })] }),
   });
+  view.scrollDOM.tabIndex = 0; // where lines are long, keys move it
   fold(view);
   return {
     read: () => view.state.doc.toString(),
