@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, labs, lectures, sources, texts_links
+from pages import front, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from labkit.places import ROOT, out, shown_path
@@ -29,7 +29,7 @@ def write_sources(folder, extra, python):
     """All pages, as Sphinx reads them, and to extra the files beside them."""
     sources.write(folder)
     labs.write(folder, extra, python)
-    for part in benchmarks, lectures, front, texts_links:
+    for part in lectures, front, texts_links:
         part.write(folder, extra)
 
 

@@ -13,10 +13,10 @@ from .sources_course import bound
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
-         "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core. A step is on the way to one, and gives no points. Extras, "
-         "in italics, go further: they are complete until `python3 -m course open 1.8` empties one."
-         )
+         "docstring is the question, its body is your answer. It is written and checked on the "
+         "lab's page, or by `python3 -m course check 1` on your own computer. Exercises are the "
+         "core. A step is on the way to one, and gives no points. Extras, in italics, go further: "
+         "they are complete until you open them.")
 
 
 def write(folder, extra, python):
@@ -67,9 +67,9 @@ def page(course, lab, python):
     return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"You write in {files(asked)}. To check it: "
-                      f"`python3 -m course check {lab}`. A number that is missing belongs to given "
-                      "code.\n", overview(course, asked),
+                      f"You write in {files(asked)}: here on the page, where nothing is installed, or "
+                      f"on your computer, where `python3 -m course check {lab}` checks it. A number "
+                      "that is missing belongs to given code.\n", overview(course, asked),
                       as_myst(practice.work(exercises.LABS[lab - 1], python)),
                       *(question(course, name) for name in asked)])
 

@@ -1,11 +1,11 @@
-"""The texts beside lectures and labs: benchmarks, guide, errata, glossary and bibliography."""
+"""The texts beside lectures and labs: guide, errata, glossary and bibliography."""
 import ast
 import html
 import json
 import re
 
 import pytest
-from pages import benchmarks, names, texts_links
+from pages import names, texts_links
 from serving import ROOT
 
 from labkit import exercises
@@ -14,24 +14,6 @@ BIBLIOGRAPHY = (ROOT / "site" / "texts" / "bibliography.md").read_text("utf-8")
 GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
-
-
-def test_each_cell_of_a_table_is_the_number_of_its_result():
-    """A number stands in its neighbour's line or column."""
-    pipeline, peers = (json.loads((ROOT / "benchmarks" / "results" / f"{name}.json").read_text())
-                       for name in ("pipeline", "peers"))
-    stages = {row["faces"]: row for row in pipeline["medians in ms"]["faces"]}
-    both = {row["faces"]: row for row in peers["milliseconds"]
-            if row["work"] == "both ways" and row["pixels"] == 512**2}
-    shown = re.findall(r"^\| ([^-].*?) \|$", benchmarks.tables(pipeline, peers), re.MULTILINE)
-    for known, count in (stages, 9), (both, 4):
-        (_, *faces), *lines = (line.split(" | ") for line in shown[:count + 1])
-        shown = shown[count + 1:]
-        for name, *cells in lines:
-            wanted = [known[int(column.replace(",", ""))][name] for column in faces]
-            found = [float(cell.replace(",", "")) for cell in cells]
-            assert found == pytest.approx(wanted, rel=6e-3)
-    assert shown == []
 
 
 def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
