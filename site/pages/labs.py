@@ -67,8 +67,8 @@ def page(course, lab, python):
     return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"You write in {files(asked)}: here on the page, where nothing is installed, or "
-                      f"on your computer, where `python3 -m course check {lab}` checks it. A number "
+                      f"You write in {files(asked)}: on this page, with nothing installed, or on "
+                      f"your computer, where `python3 -m course check {lab}` checks it. A number "
                       "that is missing belongs to given code.\n", overview(course, asked),
                       as_myst(practice.work(exercises.LABS[lab - 1], python)),
                       *(question(course, name) for name in asked)])

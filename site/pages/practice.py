@@ -16,11 +16,12 @@ from labkit import exercises, lab_text, places
 from labkit.grading.handing import handout
 
 from . import picture, put
+from .sources_course import defined
 
 STATIC = places.ROOT / "site" / "static" / "practice"
 CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
 OWN = "../python/"  # of a lab's page
-MEGABYTES = 15.6    # of Python with NumPy, unpacked, as far as the worker sees them come
+MEGABYTES = 17.2    # of Python, NumPy and the course, unpacked, as the worker sees them come
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
 UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep|tests/golden)/|labs/[^_]|.*\.(png|md|txt)$|"
                     r"pygments/(lexers|styles|formatters)/"
@@ -102,14 +103,7 @@ def lab(topic):
     whole = exercises.read(exercises.reference(topic))
     text, opened = (lab_text.skeleton(whole, extras) for extras in (False, True))
     extras = {exercise.name for exercise in exercises.text_exercises(opened) if exercise.is_extra}
-    return {"text": text, "names": sorted(names(text), key=len, reverse=True),
+    names = [name for node in ast.parse(text).body for name in defined(node)]
+    return {"text": text, "names": names,
             "extras": {node.name: ast.get_source_segment(opened, node)
                        for node in exercises.top_level_functions(opened) if node.name in extras}}
-
-
-def names(text):
-    """Yield the names that a module defines."""
-    for node in ast.parse(text).body:
-        for target in getattr(node, "targets", [node]):
-            if name := getattr(target, "name", getattr(target, "id", None)):
-                yield name

@@ -4,6 +4,7 @@ PYODIDE=FOLDER takes one that is there, with NumPy and SciPy. Without it, and wh
 be reached, these tests are skipped.
 """
 import ast
+import contextlib
 import csv
 import os
 import urllib.request
@@ -37,23 +38,21 @@ def desks(browser):
             urllib.request.urlopen(f"{CDN}pyodide.mjs", timeout=10).close()
         except OSError:
             pytest.skip("no Pyodide: set PYODIDE to a folder that has version 0.27.7")
-    opened = []
+    with contextlib.ExitStack() as opened:
+        def new(**options):
+            desk = opened.enter_context(contextlib.closing(browser.new_context(**options)))
+            if FOLDER:
+                desk.route(f"{CDN}**", from_folder)
+            return desk
 
-    def new(**options):
-        desk = browser.new_context(**options)
-        opened.append(desk)
-        if FOLDER:
-            kinds = {".mjs": "text/javascript", ".js": "text/javascript",
-                     ".wasm": "application/wasm"}
-            desk.route(f"{CDN}**", lambda route: route.fulfill(
-                path=Path(FOLDER) / (name := route.request.url.rpartition("/")[2]),
-                content_type=kinds.get(Path(name).suffix, "application/octet-stream"),
-                headers={"Access-Control-Allow-Origin": "*"}))
-        return desk
+        yield new
 
-    yield new
-    for desk in opened:
-        desk.close()
+
+def from_folder(route):
+    """Answer a request to Pyodide's CDN."""
+    file = Path(FOLDER) / route.request.url.rpartition("/")[2]
+    kind = {".wasm": "application/wasm"}.get(file.suffix, "text/javascript")
+    route.fulfill(path=file, content_type=kind, headers={"Access-Control-Allow-Origin": "*"})
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +93,6 @@ def test_from_the_front_page_to_an_exercise_that_is_right(desk, address):
     write(first, answer("transform"))
     assert checked(first, "done") == ""
     assert "drawn" in first.locator(".draws").get_attribute("class")
-    page.close()
 
 
 def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
@@ -109,7 +107,6 @@ def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
     assert "again     Check, or Ctrl+Enter" in report and "python3" not in report
     write(found, answer("edge_function"))
     checked(found, "done")
-    page.close()
 
 
 def test_a_loop_without_an_end_is_stopped_and_nothing_is_lost(desk, address):
@@ -129,7 +126,6 @@ def test_a_loop_without_an_end_is_stopped_and_nothing_is_lost(desk, address):
     checked(found, "done")
     write(place(page, "cover"), answer("cover"))
     checked(found, "done")  # the reader's own edge_function and is_top_left are called
-    page.close()
 
 
 def test_a_second_tab_shows_what_the_first_one_writes(desk, address):
@@ -145,8 +141,6 @@ def test_a_second_tab_shows_what_the_first_one_writes(desk, address):
     first.reload()
     expect(place(first, "screen_weights")).to_contain_text("1234")
     expect(place(first, "bounding_box")).to_contain_text("return 5")
-    first.close()
-    second.close()
 
 
 def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_path, run_module):
@@ -157,7 +151,6 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
         page.locator(".my-work .zip").click()
     file = tmp_path / "submissions" / "ada.zip"
     coming.value.save_as(file)
-    page.close()
     with zipfile.ZipFile(file) as packed:
         assert "labs/transforms.py" in packed.namelist()
     root = Path(__file__).parents[2]
@@ -174,7 +167,6 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
     other.locator(".my-work input").set_input_files(file)
     expect(other.locator(".my-work output")).to_contain_text("yours again", timeout=SOON)
     expect(place(other, "bounding_box")).to_contain_text("return 5")
-    other.close()
 
 
 @pytest.mark.parametrize("says", ["this computer is offline", "too old", "no memory"])
@@ -193,7 +185,6 @@ def test_where_python_does_not_come_a_sentence_says_so(says, desks, address):
     found.locator(".check").click()
     expect(found.locator(".report")).to_contain_text(says, timeout=60_000)
     assert "python3 -m course check 1.2" in found.locator(".report").inner_text()
-    page.close()
 
 
 def test_where_nothing_is_kept_the_page_says_so(desks, address):
@@ -204,7 +195,6 @@ def test_where_nothing_is_kept_the_page_says_so(desks, address):
     found = place(page, "transform")
     write(found, answer("transform"))
     expect(found.locator("output")).to_contain_text("keeps nothing")
-    page.close()
 
 
 def test_on_a_phone_and_by_keys(desks, address):
@@ -219,4 +209,3 @@ def test_on_a_phone_and_by_keys(desks, address):
     page.keyboard.press("Shift+Tab")
     expect(found.locator(".check")).to_be_focused()
     assert barriers(page, {"include": [[".practice"]]}) == []
-    page.close()

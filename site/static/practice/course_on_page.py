@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from labkit import board, exercises, verdicts
+from labkit import board, exercises, imports, verdicts
 from labkit.contract import UNFINISHED
 from labkit.grading.handing import archives
 from labkit.places import ROOT
@@ -110,8 +110,11 @@ def pack(names):
 
 
 def unpack(name, content):
-    """{topic: text} of the labs in a zip, or in a lab's file, and what is to be said of it."""
+    """{topic: text} of the labs in a zip, or in a lab's file, that are not as they came, and what
+    is to be said of it.
+    """
     path = Path("/tmp") / Path(name).name
     path.write_bytes(base64.b64decode(content))
     texts, _, notes = archives.read(path, exercises.lab_topics())
-    return {"texts": texts, "notes": notes}
+    return {"notes": notes, "texts": {topic: text for topic, text in texts.items()
+                                      if imports.text_in(ROOT / "labs", topic) != text}}

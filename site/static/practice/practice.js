@@ -28,16 +28,15 @@ function practise(place) {
     place.dataset.verdict = kind;
   }
 
-  function report(text) {
-    find(".report").textContent = text;
-    find(".report").hidden = !text;
-  }
+  const report = (text) => Object.assign(find(".report"), { textContent: text, hidden: !text });
 
-  function progress(have, of) {
-    if (waits) say(have < of ? `Python comes: ${have.toFixed(1)} of ${of.toFixed(1)} MB`
+  function progress(have, of, isThere) {
+    if (!waits && !place.contains(document.activeElement)) return;
+    const much = have < of ? ` ${have.toFixed(1)} of ${of.toFixed(1)} MB` : "";
+    if (isThere) say(waits ? "checking" : "Python is ready");
+    else say(much || have > of + 1 ? `Python comes:${much || ` ${have.toFixed(1)} MB`}`
       : "Python starts");
-    Object.assign(find("progress"), { max: of, value: Math.min(have, of) });
-    find("progress").hidden = !waits || have >= of;
+    Object.assign(find("progress"), { max: of, value: have, hidden: isThere || !much });
   }
 
   async function check() {
@@ -99,7 +98,7 @@ function offer(place, topic, name) {
   };
 }
 
-onProgress((have, of) => shown.forEach((each) => each.progress(have, of)));
+onProgress((...told) => shown.forEach((each) => each.progress(...told)));
 onOther((topic) => shown.forEach((each) => each.topic === topic && each.renew()));
 const near = new IntersectionObserver((entries) => {
   for (const { isIntersecting, target } of entries) {

@@ -3,14 +3,9 @@ const PATIENCE = 45; // seconds without a sign of life while it comes
 let worker, heard, have, isThere, count = 0, tell = () => null;
 const waiting = new Map(); // number of a question: how it ends
 
-export class Fault extends Error {
-  constructor(message, tells) {
-    super(message);
-    this.tells = tells;
-  }
-}
+const fault = (message, tells) => Object.assign(new Error(message), { tells });
 
-/** told(megabytes, of how many), while it comes. */
+/** told(megabytes, of how many, is it there?), while it comes. */
 export function onProgress(told) {
   tell = told;
 }
@@ -43,7 +38,7 @@ export function begin(about) {
       lose(explained("nothing comes", about));
     }
   }, 1000);
-  ask(about, "ready", {}).catch(() => null);
+  ask(about, "ready", {}).then(() => tell(have, about.megabytes, true), () => null);
 }
 
 /** -> what the course answers to a question, `kind` of course_on_page.py. Fault. */
@@ -60,30 +55,30 @@ export function ask(about, kind, files, ...rest) {
 
 /** End what runs, a loop without an end, say. Python starts again. */
 export function stop(about) {
-  lose(new Fault("stopped"));
+  lose(fault("stopped"));
   begin(about);
 }
 
-function lose(fault, ...more) {
+function lose(why, ...more) {
   worker?.terminate();
   worker = undefined;
-  for (const { failed } of [...waiting.values(), ...more.filter(Boolean)]) failed(fault);
+  for (const { failed } of [...waiting.values(), ...more.filter(Boolean)]) failed(why);
   waiting.clear();
 }
 
 function explained(error, about) {
   console.warn(error);
   if (/memory|RangeError/i.test(error)) {
-    return new Fault("no memory", "This browser has no memory left for Python. Close other " +
+    return fault("no memory", "This browser has no memory left for Python. Close other " +
       "tabs, then press Check again.");
   }
   if (typeof WebAssembly !== "object" || /no worker|does not start/.test(error)) {
-    return new Fault("too old", "This browser is too old to run Python.");
+    return fault("too old", "This browser is too old to run Python.");
   }
   if (/failed to fetch|networkerror|load failed|dynamically imported|nothing comes/i.test(error)) {
     const host = new URL(about.python, location).host;
-    return new Fault("no Python", `Python did not come from ${host}: this computer is offline, ` +
+    return fault("no Python", `Python did not come from ${host}: this computer is offline, ` +
       "or that address is blocked. Check tries again.");
   }
-  return new Fault("Python broke off", error);
+  return fault("Python broke off", error);
 }
