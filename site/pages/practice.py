@@ -1,4 +1,4 @@
-"""Exercises on the labs' pages: what their editors hold, their pictures, and the course as a zip.
+"""Exercises on the labs' pages: what their editors hold, their pictures, and the course, packed.
 
 Python is Pyodide's. It comes from its CDN, or from a folder that the site has a copy of.
 """
@@ -8,7 +8,7 @@ import io
 import json
 import re
 import sys
-import zipfile
+import tarfile
 from pathlib import Path
 
 from course.given import image
@@ -21,7 +21,7 @@ from .sources_course import defined
 STATIC = places.ROOT / "site" / "static" / "practice"
 CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
 OWN = "../python/"  # of a lab's page
-MEGABYTES = 17.2    # of Python, NumPy and the course, unpacked, as the worker sees them come
+MEGABYTES = 16.7    # of Python, NumPy and the course, unpacked, as the worker sees them come
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
 UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep|tests/golden)/|labs/[^_]|.*\.(png|md|txt)$|"
                     r"pygments/(lexers|styles|formatters)/"
@@ -35,7 +35,7 @@ def write(extra, python):
     """Write extra/practice: the course, and what its exercises draw. python: a folder with Pyodide,
     which is copied to extra/python, or None.
     """
-    put(extra / "practice" / "course.zip", zipped(files()))
+    put(extra / "practice" / "course.tar.bz2", packed(files()))
     for path in (places.ROOT / "tests" / "golden").glob("*.npz"):
         put(extra / "practice" / path.relative_to(places.ROOT), path.read_bytes())
     for name in pictures.PICTURES:
@@ -51,16 +51,18 @@ def files():
         yield path.name, path.read_bytes()
     for name in PACKAGES:
         for file in importlib.metadata.files(name):
-            if file.suffix == ".py" or "licen" in file.as_posix().lower():
+            if file.suffix == ".py" or "LICENSE" in file.name:
                 yield file.as_posix(), file.read_binary()
 
 
-def zipped(content):
+def packed(content):
     made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+    with tarfile.open(fileobj=made, mode="w:bz2") as archive:  # a third less than a zip
         for name, part in content:
             if not UNUSED.match(name):
-                archive.writestr(name, part)
+                about = tarfile.TarInfo(name)
+                about.size = len(part)
+                archive.addfile(about, io.BytesIO(part))
     return made.getvalue()
 
 

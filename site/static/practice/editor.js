@@ -9,14 +9,13 @@ export function edit(place, label, text, changed, run) {
     state: code.EditorState.create({ doc: text, extensions: [
       code.keymap.of([{ key: "Mod-Enter", run: () => (run(), true) }]),
       code.minimalSetup, code.python(), code.codeFolding(), code.indentUnit.of("    "),
-      code.EditorState.allowMultipleSelections.of(false), code.bracketMatching(),
+      code.EditorView.lineWrapping, code.bracketMatching(),
       code.keymap.of([code.indentWithTab]), code.EditorView.contentAttributes.of({
         "aria-label": label, "aria-description": "Escape, then Tab, leaves it." }),
       numbers.of([]), code.EditorView.updateListener.of((update) => {
         if (update.docChanged) changed(update.state.doc.toString());
       })] }),
   });
-  view.scrollDOM.tabIndex = 0; // where lines are long, keys move it
   fold(view);
   return {
     read: () => view.state.doc.toString(),

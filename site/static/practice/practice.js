@@ -12,7 +12,7 @@ function practise(place) {
   if (part().isClosed) return offer(place, topic, name);
   place.innerHTML = `<div class="bar"><code>${file}</code> <button class="check">Check ${number}
     </button> <button class="stop" hidden>Stop</button> <output></output>
-    <progress hidden></progress></div><div class="text"></div><pre class="report" hidden></pre>`;
+    <progress hidden></progress></div><div class="text"></div><pre class="report" tabindex="0" hidden></pre>`;
   const find = (what) => place.querySelector(what);
   const editor = edit(find(".text"), `Your ${name}`, part().text, (text) => {
     if (text === part().text) return;

@@ -19,11 +19,11 @@ onmessage = async ({ data: { id, from, asked } }) => {
 async function start({ python: home, course: folder, files: needed }) {
   keep(home);
   const content = async (file) => (await fetch(new URL(file, folder))).arrayBuffer();
-  const all = Promise.all(["course.zip", ...needed].map(content));
+  const all = Promise.all(["course.tar.bz2", ...needed].map(content));
   const { loadPyodide } = await import(`${home}pyodide.mjs`);
   const runtime = await loadPyodide({ indexURL: home, packages: ["numpy"] });
   const [course, ...files] = await all;
-  runtime.unpackArchive(course, "zip", { extractDir: "/course" });
+  runtime.unpackArchive(course, "bztar", { extractDir: "/course" });
   files.forEach((file, k) => {
     runtime.FS.mkdirTree(`/course/${needed[k]}/..`);
     runtime.FS.writeFile(`/course/${needed[k]}`, new Uint8Array(file));
