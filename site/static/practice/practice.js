@@ -92,7 +92,7 @@ function practise(place) {
 function offer(place, topic, name) {
   place.innerHTML = "<button>Open this extra, to write it yourself</button>";
   place.firstChild.onclick = () => {
-    lab(topic, about.labs[topic]).part(name).open();
+    lab(topic, about.labs[topic]).part(name).write(about.labs[topic].extras[name]);
     keep(topic);
     practise(place);
   };
@@ -100,14 +100,7 @@ function offer(place, topic, name) {
 
 onProgress((...told) => shown.forEach((each) => each.progress(...told)));
 onOther((topic) => shown.forEach((each) => each.topic === topic && each.renew()));
-const near = new IntersectionObserver((entries) => {
-  for (const { isIntersecting, target } of entries) {
-    if (!isIntersecting) continue;
-    near.unobserve(target);
-    practise(target);
-  }
-}, { rootMargin: "500px" });
-document.querySelectorAll(".practice").forEach((place) => near.observe(place));
+document.querySelectorAll(".practice").forEach(practise);
 if (location.search === "?begin") begin(about);
 
 const work = document.querySelector(".my-work");

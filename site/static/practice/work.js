@@ -56,19 +56,8 @@ class Lab {
   }
 
   put(text) {
-    const starts = new RegExp(`^(?:def |class )?(?:${this.about.names.join("|")})\\b`);
-    this.parts = [""];
-    let above = ""; // decorators
-    for (const line of text.match(/.*\n|.+$/g) ?? []) {
-      if (line.startsWith("@")) {
-        above += line;
-        continue;
-      }
-      if (this.about.names.length && starts.test(line)) this.parts.push("");
-      this.parts[this.parts.length - 1] += above + line;
-      above = "";
-    }
-    this.parts[this.parts.length - 1] += above;
+    const start = `(?:def |class )?(?:${this.about.names.join("|")})\\b`, above = "^@.*\\n";
+    this.parts = text.split(new RegExp(`^(?<!${above})(?=(?:@.*\\n)*${start})`, "m"));
   }
 
   /** The part of a function: what is in it without empty lines around, and its first line. */
@@ -82,7 +71,6 @@ class Lab {
       line: (this.parts.slice(0, place).join("") + before).split("\n").length,
       isClosed: name in this.about.extras && !/# extra .*, open$/m.test(text),
       write: (other) => { this.parts[place] = before + other + after; },
-      open: () => { this.parts[place] = before + this.about.extras[name] + after; },
     };
   }
 }
