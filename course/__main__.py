@@ -4,7 +4,7 @@ Where everything is there already (conda, an active environment), commands.py is
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
 The command run needs apps/bridge/requirements.txt as well, and the web site
-site/requirements.txt, for --lite with one more file.
+site/requirements.txt.
 
 A copy of each of these files in .venv tells how far its set-up came:
     none        of requirements.txt: somebody else made this .venv: it is used, never changed
@@ -29,7 +29,7 @@ VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 COPY = VENV / "requirements.txt"
 TORCH = ROOT / "apps" / "bridge" / "requirements.txt"
-SITE, LITE = ROOT / "site" / "requirements.txt", ROOT / "site" / "requirements-lite.txt"
+SITE = ROOT / "site" / "requirements.txt"
 INSIDE = VENV.exists() and VENV.samefile(sys.prefix)
 
 REMEDIES = (  # what an error says, and what helps
@@ -75,8 +75,6 @@ def asked():
         yield TORCH
     if sys.argv[1:2] == ["site"] or "--site" in sys.argv:
         yield SITE
-    if "--lite" in sys.argv:
-        yield LITE
 
 
 def missing(requirements):

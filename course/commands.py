@@ -68,10 +68,11 @@ def run(asked):
 @command(
     WORK, "site",
     option("--serve", action="store_true", help="show it in the browser, until Ctrl-C"),
-    option("--lite", action="store_true", help="and with JupyterLite, the labs in the browser"))
+    option("--python", metavar="DIR",
+           help="a folder with Pyodide, for exercises without a network"))
 def site(asked):
     """Make the web site in out/site/. Lectures are shown as they are saved."""
-    return make_site(*(f"--{name}" for name in ("serve", "lite") if getattr(asked, name)))
+    return make_site(*["--serve"] * asked.serve, *["--python", asked.python] * bool(asked.python))
 
 
 def make_site(*wishes):

@@ -2,7 +2,7 @@
 
     python3 -m course site            the site in out/site; lectures are shown as they are saved
     python3 -m course site --serve    and opens it in the browser
-    python3 -m course site --lite     and with JupyterLite: the labs in the browser
+    python3 -m course site --python DIR    its exercises run the Pyodide in this folder
 
 The new site replaces the old one when it is whole.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, labs, lectures, sources, texts_links
+from pages import front, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from labkit.places import ROOT, out, shown_path
@@ -25,13 +25,12 @@ SITE = ROOT / "site"
 WORK, TARGET = out("site-source"), out("site")
 
 
-def write_sources(folder, extra, lite):
+def write_sources(folder, extra, python):
     """All pages, as Sphinx reads them, and to extra the files beside them."""
-    for part in labs, sources:
-        part.write(folder)
-    benchmarks.write(folder, extra)
+    sources.write(folder)
+    labs.write(folder, extra, python)
     for part in lectures, front, texts_links:
-        part.write(folder, extra, lite)
+        part.write(folder, extra)
 
 
 def publish(parts, target):
@@ -59,27 +58,26 @@ def serve():
             server.serve_forever()
 
 
-def make(lite):
-    """-> exit status. Unless it is 0, the site is the one before.
+def make(python=None):
+    """-> exit status. Unless it is 0, the site is the one before. python: a folder with Pyodide,
+    which the site gets a copy of.
 
     A warning of Sphinx is an error: a link that leads nowhere, say.
     """
     shutil.rmtree(WORK, ignore_errors=True)
     pages, extra, html = (WORK / name for name in ("pages", "extra", "html"))
-    write_sources(pages, extra, lite)
+    write_sources(pages, extra, python)
     status = build_main(["-b", "html", "-j", "auto", "-q", "--keep-going", "--fail-on-warning",
                          "-c", str(SITE), "-d", str(WORK / "doctrees"), str(pages), str(html)])
     if status:
         return status
-    if lite:
-        from pages import lite as jupyter_lite  # needs more packages
-        jupyter_lite.write(extra / "lite")
     publish([html, extra], TARGET)
     return 0
 
 
 def main(options):
-    status = make("--lite" in options)
+    python = options[options.index("--python") + 1] if "--python" in options else None
+    status = make(python)
     if not status:
         print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
               "python3 -m course site --serve")

@@ -11,7 +11,6 @@ import re
 from pathlib import Path
 
 import numpy as np
-import scipy.sparse
 
 DATA = Path(__file__).parent / "data"
 
@@ -200,7 +199,7 @@ def vertex_normals(vertices, faces):
 
     Zero for a vertex of no face.
     """
-    corner = faces.ravel()
+    corner = faces.ravel().astype(np.intp)  # in a browser, bincount takes no wider one
     columns = area_vectors(vertices, faces).repeat(3, 0).T  # each face's, at its three corners
     return unit(np.stack([np.bincount(corner, column, len(vertices)) for column in columns], -1))
 
@@ -277,6 +276,8 @@ def boundary_edges(faces):
 
 def adjacency(faces, vertex_count):
     """-> sparse (V, V), symmetric: 1 where an edge joins two vertices, else 0."""
+    import scipy.sparse  # so large that only who needs it loads it: in a browser it takes seconds
+
     low, high = edges(faces)[0].T
     rows, columns = np.concatenate([low, high]), np.concatenate([high, low])
     ones = np.ones(len(rows))

@@ -12,7 +12,9 @@ from labkit import exercises
 from labkit.places import ROOT, read_whole
 
 from . import poster, put
+from .names import exercise_pages
 from .sidebar import trees
+from .sources_course import read
 
 STILL_LIFE = "course/given/data/still_life.png"
 SIZE = 920, 690  # of a picture of the gallery, which is shown half as wide
@@ -26,11 +28,10 @@ GALLERY = {  # lecture: the file, and the part of it that is shown
 }
 FILM = DATA / "reconstruction.png"
 ZIP = "differentiable-rasterization"
-LITE = " Labs and lectures also run [in the browser](/in_the_browser.md), with nothing to install."
 
 
-def write(folder, extra, lite):
-    """Write folder/index.md, and its files to extra. lite: the labs in the browser are there."""
+def write(folder, extra):
+    """Write folder/index.md, and its files to extra."""
     put(extra / FILM.name, read_whole(FILM))
     put(extra / "reconstruction_still.png", poster(Image.open(FILM)))
     put(extra / "still_life.jpg", smaller(Image.open(ROOT / STILL_LIFE), (1200, 675), "JPEG"))
@@ -40,17 +41,23 @@ def write(folder, extra, lite):
     for lecture, (file, part) in GALLERY.items():
         shown = smaller(Image.open(ROOT / file).crop(part), SIZE, "WEBP")
         put(extra / "gallery" / f"{lecture}.webp", shown)
-    put(folder / "index.md", page(ways(len(archive)), lite) + "".join(trees(lite)))
+    put(folder / "index.md", page(ways(len(archive))) + "".join(trees()))
 
 
-def page(get, lite):
+def page(get):
     """The front page's text. ValueError or AttributeError: README.md lacks a number."""
     readme = exercises.read(ROOT / "README.md")
     numbers = {name: re.search(rf"{span}\W+ is (\d+) exercises, about (\d+) hours", readme).groups()
                for name, span in (("week", "A week"), ("core", "A term"))}
     return exercises.read(Path(__file__).with_name("front.md")).format(
-        labs=len(exercises.LABS), get=get, lite=LITE if lite else "", film=Image.open(FILM),
+        labs=len(exercises.LABS), get=get, first=first_exercise(), film=Image.open(FILM),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
+
+
+def first_exercise():
+    """The address of the first exercise, where Python comes at once."""
+    page, _, place = exercise_pages()[next(iter(read().exercises.values())).number].partition("#")
+    return f"{page}?begin#{place}"
 
 
 def smaller(opened, size, kind):

@@ -7,24 +7,27 @@ from docutils.nodes import make_id
 
 from labkit import exercises, places
 
-from . import put, sources_course
+from . import practice, put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points
 from .sources_course import bound
 from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
-         "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core. A step is on the way to one, and gives no points. Extras, "
-         "in italics, go further: they are complete until `python3 -m course open 1.8` empties one."
-         )
+         "docstring is the question, its body is your answer. It is written and checked on the "
+         "lab's page, or by `python3 -m course check 1` on your own computer. Exercises are the "
+         "core. A step is on the way to one, and gives no points. Extras, in italics, go further: "
+         "they are complete until you open them.")
 
 
-def write(folder):
-    """Write folder/labs: a page for each lab, and the index of all exercises."""
+def write(folder, extra, python):
+    """Write folder/labs: a page for each lab, and the index of all exercises. To extra goes what is
+    needed to do them there. python: see practice.
+    """
+    practice.write(extra, python)
     course = sources_course.read()
     put(folder / "labs" / "index.md", index(course))
     for lab, lecture in course.lectures.items():
-        put(folder / "labs" / f"{lecture.page}.md", page(course, lab))
+        put(folder / "labs" / f"{lecture.page}.md", page(course, lab, python))
 
 
 def summary(course, lab):
@@ -52,7 +55,7 @@ def index(course):
     return "\n".join(parts)
 
 
-def page(course, lab):
+def page(course, lab, python):
     """One lab: its table of exercises, then their questions."""
     lecture, asked = course.lectures[lab], course.lectures[lab].asked
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
@@ -64,9 +67,10 @@ def page(course, lab):
     return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"You write in {files(asked)}. To check it: "
-                      f"`python3 -m course check {lab}`. A number that is missing belongs to given "
-                      "code.\n", overview(course, asked),
+                      f"You write in {files(asked)}: on this page, with nothing installed, or on "
+                      f"your computer, where `python3 -m course check {lab}` checks it. A number "
+                      "that is missing belongs to given code.\n", overview(course, asked),
+                      as_myst(practice.work(exercises.LABS[lab - 1], python)),
                       *(question(course, name) for name in asked)])
 
 
@@ -104,6 +108,7 @@ def question(course, name):
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       docstring(course, module, node),
+                      as_myst(practice.place(exercise, module.topic)),
                       as_myst(read_on(course, name))])
 
 

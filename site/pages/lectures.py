@@ -23,17 +23,17 @@ BOARD = re.compile(r"# live\s+(?:(?:from labkit import board|board\.show\([^)]*\
 IMPORTS = "import sys; sys.path.append"
 
 
-def write(folder, extra, lite):
+def write(folder, extra):
     """Write the lectures to folder/lectures, and their pictures to extra/lectures.
 
-    lite: they run in the browser. ValueError: a figure has no place, or a place no figure.
+    ValueError: a figure has no place, or a place no figure.
     """
     added = inserts.Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook = nbformat.read(path, as_version=4)
         notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         first, pictures = notebook.cells[0], Pictures(path.stem, extra / "lectures" / "pictures")
-        first.source = NEIGHBOURS.sub(ways(path, NEIGHBOURS.search(first.source)[0], lite),
+        first.source = NEIGHBOURS.sub(ways(path, NEIGHBOURS.search(first.source)[0]),
                                       first.source)
         for cell in notebook.cells:
             if cell.cell_type == "markdown":
@@ -49,14 +49,12 @@ def write(folder, extra, lite):
     added.require_all()
 
 
-def ways(path, line, lite):
+def ways(path, line):
     """The line below a lecture's title: where to run and read it, what it leads to, its minutes."""
-    place, words = ((f"../lite/lab/index.html?path=notebooks/{path.name}", "Run here") if lite
-                    else ("../index.html#get-the-course", "Run it"))
     rest = NEIGHBOUR.sub("", line).replace("code: ", "Source: ")
     rest = re.sub(r"lab: \[[^]]*\]", f"[Lab {int(path.stem[:2])}]", rest)
     minutes = 5 * round(sum(hours.sections(path).values()) / 5)
-    return "{.ways}\n" + " · ".join([f'<a href="{place}">{words}</a>', rest] +
+    return "{.ways}\n" + " · ".join(['<a href="../index.html#get-the-course">Run it</a>', rest] +
                                     [f"about {minutes} minutes to read"] * bool(minutes))
 
 

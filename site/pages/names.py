@@ -9,7 +9,7 @@ from . import sources_course
 TEXTS = {  # a text of the repository: its page
     "labkit/grading/README.md": "instructors", "notebooks/errata.md": "errata",
     "apps/reconstruct/README.md": "own_pictures",
-    "apps/bridge/README.md": "real_projects"}
+    "apps/bridge/README.md": "real_projects", "benchmarks/README.md": "benchmarks"}
 
 PAGES = {"reference": "reference", "course/complete": "reference", "course/fast": "reference",
          "course/given": "given"}  # a folder of modules: that of its pages
@@ -75,4 +75,4 @@ def page_of_file(path):
         return lab_page(stem)
     if (page := PAGES.get(folder)) and (ROOT / path).exists() and ending == "py":
         return f"{page}/{stem}"
-    return "benchmarks" if path == "benchmarks/README.md" else TEXTS.get(path)
+    return TEXTS.get(path)

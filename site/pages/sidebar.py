@@ -28,11 +28,11 @@ def setup(app):
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
-def trees(lite):
-    """What stands in the margin of every page. lite: the labs in the browser are there."""
+def trees():
+    """What stands in the margin of every page."""
     topics = [entry(path.stem) for path in lectures() if not is_sequel(path.stem)]
     groups = {"Lectures, labs, code": topics, "The whole": WHOLE,
-              "Further": FURTHER + ["/in_the_browser"] * lite}
+              "Further": FURTHER}
     for caption, pages in groups.items():
         yield TREE.format(caption=f":caption: {caption}\n", pages="\n".join(pages))
 

@@ -7,7 +7,7 @@ import functools
 import re
 from typing import NamedTuple
 
-from labkit import exercises, places
+from labkit import board, exercises, places
 
 
 class Module(NamedTuple):
@@ -30,7 +30,7 @@ class Module(NamedTuple):
 
 class Lecture(NamedTuple):
     """A lecture and the pages after it: its page's name, {number: page and LaTeX} of equations,
-    {full name: Exercise} of its lab by number, {exercise's number: page and heading}.
+    {full name: Exercise} of its lab in its order, {exercise's number: page and heading}.
     """
 
     page: str
@@ -140,7 +140,8 @@ def defined(node):
 def read_lecture(topics):
     asked = {f"reference.{topic}.{exercise.name}": exercise for topic in topics
              for exercise in exercises.topic_exercises(topic)}
-    asked = dict(sorted(asked.items(), key=lambda item: int(item[1].number.split(".")[1])))
+    order = [*board.sections(*exercises.pages(topics[0])), *(one.number for one in asked.values())]
+    asked = dict(sorted(asked.items(), key=lambda item: order.index(item[1].number)))
     equations, announced = {}, {}
     for path in exercises.pages(topics[0]):
         texts = exercises.cells(path)

@@ -18,18 +18,14 @@ CODE = re.compile(r"(?<![`[])`((?:\w+\.)?\w+)`(?![`\w])")
 GLOSSARY = "```{glossary}\n"
 
 
-def write(folder, extra, lite):
-    """Write the pages of site/texts and of the repository's texts, and their pictures to extra.
-
-    lite: the labs in the browser are there, and their page.
-    """
+def write(folder, extra):
+    """Write the pages of site/texts and of the repository's texts, and their pictures to extra."""
     for source, name in TEXTS.items():
         place, text = posixpath.dirname(source), (ROOT / source).read_text("utf-8")
         put(folder / f"{name}.md", with_page_links(with_pictures(text, place, extra), place))
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
-        if lite or path.stem != "in_the_browser":
-            text = linked(path.read_text("utf-8"), "site/texts")
-            put(folder / path.name, text.replace(GLOSSARY, letters(text) + GLOSSARY))
+        text = linked(path.read_text("utf-8"), "site/texts")
+        put(folder / path.name, text.replace(GLOSSARY, letters(text) + GLOSSARY))
 
 
 def with_pictures(text, place, extra):

@@ -69,8 +69,7 @@ def film(labs, steps, eye):
         vertices, faces, colours = steps[k * len(steps) // FRAMES]
         angle = 2 * np.pi * (k + 1) / FRAMES
         turned = vertices @ labs.transforms.rotate(np.array([0.0, 1.0, 0.0]), angle)[:3, :3].T
-        normals = mesh.vertex_normals(turned, faces)[:, None]
-        light = drawing.lit(np.ones((len(turned), 1)), normals) / drawing.BRASS
+        light = drawing.lit(mesh.vertex_normals(turned, faces)) / drawing.BRASS
         frames.append(labs.pipeline.render(labs.pipeline.make_mesh(turned, faces),
                                            labs.pipeline.Colours(image.to_srgb(light * colours)),
                                            view)[0])

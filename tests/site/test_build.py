@@ -10,12 +10,12 @@ def test_a_build_that_fails_leaves_the_site_that_was_there(tmp_path, monkeypatch
     (tmp_path / "conf.py").write_text('extensions = ["myst_parser"]\n')
 
     def made(text):
-        def write(folder, extra, lite):
+        def write(folder, extra, python):
             for part in folder, extra:
                 part.mkdir(parents=True)
             (folder / "index.md").write_text(text)
         monkeypatch.setattr(build, "write_sources", write)
-        return build.make(lite=False), (tmp_path / "site" / "index.html").read_text()
+        return build.make(), (tmp_path / "site" / "index.html").read_text()
 
     _, before = made("# Home")
     assert "Home" in before

@@ -5,7 +5,7 @@ import re
 import pytest
 from bs4 import BeautifulSoup
 from checks import barriers
-from pages import formulas, inserts, lectures
+from pages import formulas, inserts
 from serving import PAGES, ROOT, SITE, soup
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -40,13 +40,11 @@ def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
-    """Who wants to run a lecture has to find the course, or JupyterLite, and the code."""
+    """Who wants to run a lecture has to find the course and the code."""
     path = lecture("02")
     line = article(path).select_one(".ways")
     assert line.get_text() == "Run it · Source: rasterization · Lab 2 · about 60 minutes to read"
     assert line.a["href"] == "../index.html#get-the-course"
-    run = f'<a href="../lite/lab/index.html?path=notebooks/{path.name}">Run here</a> · '
-    assert run in lectures.ways(path, "", lite=True)
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

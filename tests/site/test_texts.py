@@ -1,11 +1,11 @@
-"""The texts beside lectures and labs: benchmarks, guide, errata, glossary and bibliography."""
+"""The texts beside lectures and labs: guide, errata, glossary and bibliography."""
 import ast
 import html
 import json
 import re
 
 import pytest
-from pages import benchmarks, names, texts_links
+from pages import names, texts_links
 from serving import ROOT
 
 from labkit import exercises
@@ -16,19 +16,6 @@ LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
 
 
-def test_each_cell_of_a_table_is_the_number_of_its_result():
-    """A number stands in its neighbour's line or column."""
-    peers = json.loads((ROOT / "benchmarks" / "results" / "peers.json").read_text())
-    both = {row["faces"]: row for row in peers["milliseconds"]
-            if row["work"] == "both ways" and row["pixels"] == 512**2}
-    shown = re.findall(r"^\| ([^-].*?) \|$", benchmarks.table(peers), re.MULTILINE)
-    (_, *faces), *lines = (line.split(" | ") for line in shown)
-    for name, *cells in lines:
-        wanted = [both[int(column.replace(",", ""))][name] for column in faces]
-        found = [float(cell.replace(",", "")) for cell in cells]
-        assert found == pytest.approx(wanted, rel=6e-3) and len(lines) == 4
-
-
 def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
     """A sentence is lost, or a link inside code was taken for a link."""
     def bare(text):
@@ -36,7 +23,7 @@ def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
                       html.unescape(text))
         return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
 
-    texts_links.write(tmp_path, tmp_path / "extra", lite=False)
+    texts_links.write(tmp_path, tmp_path / "extra")
     for source, page in names.TEXTS.items():
         text = (ROOT / source).read_text("utf-8")
         assert bare((tmp_path / f"{page}.md").read_text("utf-8")) == bare(text), source

@@ -13,13 +13,11 @@ from reference import (
     neural_renderer,
     outlines,
     rasterization,
-    rasterizer_gradients,
     sampling,
     soft_rasterizer,
     sweep_gradient,
     texturing,
     transforms,
-    vertex_gradients,
 )
 
 
@@ -176,27 +174,6 @@ def test_the_floors_jacobian_is_its_derivative(call):
     np.testing.assert_allclose(floor(pixels, "jacobian"), np.stack(columns, -1), rtol=1e-5,
                                atol=1e-7)
 
-
-def test_rubber_sheet(call, agrees):
-    """Two vertices are exchanged, a triangle without area has no edges, or an arrow has the weight
-    of another vertex."""
-    rng = np.random.default_rng(7)
-    triangles, points = rng.uniform(0, 16, (60, 3, 2)), rng.uniform(0, 16, (60, 5, 2))
-    triangles[0, 2] = triangles[0, :2].mean(0)
-    triangles[1] = triangles[1, :1]
-    normals = rasterizer_gradients.edge_normals(
-        np.stack(each(vertex_gradients.vertex_matrix, triangles), -1))
-    agrees("rubber_sheet", "edgeNormals", np.moveaxis(normals, -1, 0), triangles)
-    agrees("rubber_sheet", "edgeFunctionsAt",
-           interpolation.edge_functions_at(*points[:, 0].T, *triangles.T).T,
-           points[:, 0], triangles)
-    values, triangles, points = rng.uniform(size=(58, 3)), triangles[2:], points[2:]
-    by_values, by_triangle = call("rubber_sheet", "residualsJacobian", values, triangles, points)
-    for n, p in np.ndindex(58, 5):                                     # half of them clockwise
-        m, a = vertex_gradients.vertex_matrix(triangles[n]), [*points[n, p], 1]
-        c, by_m, *_ = vertex_gradients.residual_backward(1.0, values[n], m, a, 0.0)
-        found = np.column_stack([by_values[n][p], by_triangle[n][p]])
-        np.testing.assert_allclose(found, np.column_stack([c, by_m[:2].T]), rtol=1e-9, atol=1e-9)
 
 
 def test_antialias(agrees):

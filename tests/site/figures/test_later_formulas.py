@@ -8,13 +8,9 @@ from course.given import mesh, ray_casting
 from course.given.whose import Labs
 from reference import (
     implicit_surfaces,
-    kernels,
     lights,
     loop_subdivision,
     marching_tetrahedra,
-    multi_view_fit,
-    pipeline,
-    reconstruction,
     regularization,
     shadow_mapping,
     simplification,
@@ -223,99 +219,3 @@ def test_the_outline_is_closed_and_its_areas_gradient_is_that_of_its_area(call):
     step = np.random.default_rng(4).normal(size=points.shape)
     change = (area(points + 1e-4 * step) - area(points - 1e-4 * step)) / 2e-4
     assert np.isclose((gradient * step).sum(), change, atol=1e-9)
-
-
-# Lecture 16: a camera in the plane, and what its row of pixels pulls
-
-PIXELS, PIXEL, EYE, TO_STRIP = 20, 0.086, -1.3, 1.1
-AROUND = np.array([[0, 1], [1, 2], [2, 0]])
-
-
-def two_triangles(rng):
-    """Counter-clockwise, apart or one in front of the other: vertices (6, 2), segments (6, 2)."""
-    turns = np.array([0, 2, 4]) + rng.uniform(0, 1.5, (2, 3))
-    corners = rng.uniform(0.25, 0.5, (2, 3, 1)) * np.stack([np.cos(turns), np.sin(turns)], -1)
-    middles = rng.uniform([[-0.6, 0.2], [0.1, 0.5]], [[-0.1, 0.5], [0.6, 0.9]])
-    return (middles[:, None] + corners).reshape(6, 2), np.concatenate([AROUND, AROUND + 3])
-
-
-def prism(vertices, segments):
-    """Both outlines, as walls along z -> pipeline.Mesh with the vertices at z = -1, then at 1."""
-    count = len(vertices)
-    i, j = segments.T
-    walls = np.concatenate([np.stack([i, j, j + count], 1), np.stack([i, j + count, i + count], 1)])
-    return pipeline.make_mesh(np.concatenate([np.insert(vertices, 2, z, axis=1)
-                                              for z in (-1, 1)]), walls)
-
-
-def target_of(outside):
-    """The row of pixels, as a picture of the reference, and its camera, which looks along y."""
-    wide = TO_STRIP / (PIXELS * PIXEL / 2)
-    camera = np.array([[wide, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, -EYE - 0.1], [0, 1, 0, -EYE]])
-    return multi_view_fit.Target(np.zeros((1, PIXELS, 4)),
-                                 pipeline.View(camera, PIXELS, 1, np.zeros(4)), 1, outside)
-
-
-def owners_have_outlines(segments, found):
-    """Does each outline end the triangle that its owner sees? The reference looks no farther, and
-    a wall's triangles meet in its middle.
-    """
-    for outline in found["outlines"]:
-        pixel, right = outline["pixel"], outline["side"] == 1
-        hit = found["hits"][pixel] or found["hits"][pixel - outline["side"]]
-        if outline["vertex"] != segments[hit["segment"], int(right)] or (hit["u"] > 0.5) != right:
-            return False
-    return True
-
-
-def test_the_row_of_pixels_and_its_gradients(call):
-    """An outline moves to the wrong side, a hidden face is seen, or carving has other weights."""
-    rng = np.random.default_rng(16)
-    scenes = [two_triangles(rng) for _ in range(30)]
-    given = [[{"p": p} for p in vertices.tolist()] for vertices, _ in scenes]
-    rows = call("carving", "render", given, [segments for _, segments in scenes])
-    cases = [case for case in zip(given, scenes, rows, strict=True)
-             if owners_have_outlines(case[1][1], case[2])]
-    assert len(cases) > 10
-    for points, (vertices, segments), found in cases:
-        outside = rng.random((1, PIXELS)) < 0.5
-        target, shape = target_of(outside), prism(vertices, segments)
-        colours = np.zeros((len(shape.positions), 3))
-        pictures, buffers = multi_view_fit.render_views(shape, colours, [target])
-        np.testing.assert_allclose(found["coverage"], pictures[0, 0, :, 3], atol=1e-9)
-        grad = rng.normal(size=pictures.shape)
-        grad_positions, _, grad_level = multi_view_fit.render_views_backward(
-            grad, buffers, shape, colours, [target])
-        moved, = call("carving", "coverageBackward", [grad[0, 0, :, 3]], [found["outlines"]],
-                      [points])
-        np.testing.assert_allclose(moved, grad_positions.reshape(2, 6, 3).sum(0)[:, :2], atol=1e-9)
-        carved, = call("carving", "carvingBackward", 1, [np.flatnonzero(outside)], [found["hits"]],
-                       [segments], 6)
-        np.testing.assert_allclose(carved, grad_level.reshape(2, 6).sum(0), atol=1e-9)
-
-
-def test_what_is_outside_and_the_level(call):
-    """The row's ends count as covered, or t is counted from the other end."""
-    rng = np.random.default_rng(6)
-    rows = np.where(rng.random((40, PIXELS)) < 0.7, 0, rng.random((40, PIXELS)))
-    wanted = [multi_view_fit.is_outside(row[None, :, None] * np.ones(4))[0] for row in rows]
-    np.testing.assert_array_equal(call("carving", "isOutside", rows), wanted)
-    distance = np.concatenate([-rng.random(10), rng.random(9), [0.0]])
-    ends = np.stack([rng.integers(0, 10, 30), rng.integers(10, 20, 30)], 1)
-    grad = rng.normal(size=30)
-    np.testing.assert_allclose(call("carving", "levelBackward", [grad], [ends], [distance])[0],
-                               reconstruction.level_backward(grad, ends, distance), atol=1e-9)
-
-
-# Lecture 17: two threads and one pixel
-
-
-def test_every_schedule_ends_as_the_references(call):
-    """A thread writes what it should only have read, or compares with what is there by now."""
-    face, depth = [7, 8, 9], [0.5, 0.25, 0.75]
-    schedules = sorted(set(itertools.permutations([0, 0, 1, 1, 2, 2])))
-    count = len(schedules)
-    found = call("race", "race", [face] * count, [depth] * count, schedules)
-    wanted = [kernels.race(np.array(face), np.array(depth), np.array(s)) for s in schedules]
-    assert [(steps[-1]["seen"], steps[-1]["nearest"]) for steps in found] == wanted
-    assert len(set(wanted)) == 3

@@ -1,0 +1,111 @@
+"""Exercises on the labs' pages: what their editors hold, their pictures, and the course, packed.
+
+Python is Pyodide's. It comes from its CDN, or from a folder that the site has a copy of.
+"""
+import ast
+import importlib.metadata
+import io
+import json
+import re
+import sys
+import tarfile
+from pathlib import Path
+
+from course.given import image
+from labkit import exercises, lab_text, places
+from labkit.grading.handing import handout
+
+from . import picture, put
+from .sources_course import defined
+
+STATIC = places.ROOT / "site" / "static" / "practice"
+CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
+OWN = "../python/"  # of a lab's page
+MEGABYTES = 16.7    # of Python, NumPy and the course, unpacked, as the worker sees them come
+PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
+UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep|tests/golden)/|labs/[^_]|.*\.(png|md|txt)$|"
+                    r"pygments/(lexers|styles|formatters)/"
+                    r"(?!(__init__|_mapping|diff|python|terminal|default)\.)")
+
+sys.path.append(str(STATIC))
+pictures = importlib.import_module("pictures")
+
+
+def write(extra, python):
+    """Write extra/practice: the course, and what its exercises draw. python: a folder with Pyodide,
+    which is copied to extra/python, or None.
+    """
+    put(extra / "practice" / "course.tar.bz2", packed(files()))
+    for path in (places.ROOT / "tests" / "golden").glob("*.npz"):
+        put(extra / "practice" / path.relative_to(places.ROOT), path.read_bytes())
+    for name in pictures.PICTURES:
+        image.write(extra / "practice" / f"{name}.png", pictures.drawn(name, "reference"))
+    for path in Path(python).iterdir() if python else ():
+        put(extra / "python" / path.name, path.read_bytes())
+
+
+def files():
+    """Yield (name, bytes) of what checks need: a hand-out's files, the page's own, packages."""
+    yield from dict(handout.files(exercises.topics_of(None), [], extra=False)).items()
+    for path in STATIC.glob("*.py"):
+        yield path.name, path.read_bytes()
+    for name in PACKAGES:
+        for file in importlib.metadata.files(name):
+            if file.suffix == ".py" or "LICENSE" in file.name:
+                yield file.as_posix(), file.read_binary()
+
+
+def packed(content):
+    made = io.BytesIO()
+    with tarfile.open(fileobj=made, mode="w:bz2") as archive:  # a third less than a zip
+        for name, part in content:
+            if not UNUSED.match(name):
+                about = tarfile.TarInfo(name)
+                about.size = len(part)
+                archive.addfile(about, io.BytesIO(part))
+    return made.getvalue()
+
+
+def place(exercise, topic):
+    """The HTML in which an exercise is done. Without scripts it says how else."""
+    number, name = exercise.number, exercise.name
+    return (f'<div class="practice" data-number="{number}" data-topic="{topic}" '
+            f'data-name="{name}"><p>Write it in <code>labs/{topic}.py</code>, then '
+            f"<code>python3 -m course check {number}</code>.</p></div>{pair(name)}")
+
+
+def pair(name):
+    """What an exercise of this name draws, beside the place for what the reader's does."""
+    if name not in pictures.PICTURES:
+        return ""
+    wanted = picture(f"../practice/{name}.png", pictures.PICTURES[name].__doc__.rstrip("."),
+                     pictures.SIZE, pictures.SIZE)
+    return (f'<div class="draws"><figure class="yours"><canvas></canvas><figcaption>yours comes '
+            f'here</figcaption></figure><figure class="wanted">{wanted}<figcaption>how it should '
+            "be</figcaption></figure></div>")
+
+
+def work(topics, python):
+    """The HTML with which work is taken along and put in again, and what a page's scripts know."""
+    checks = "".join(path.read_text("utf-8") for topic in topics
+                     for path in places.ROOT.glob(f"tests/labs/test_{topic}.py"))
+    golden = sorted(set(re.findall(r"golden\" / \"(\w+\.npz)", checks)))
+    known = {"python": OWN if python else CDN, "megabytes": MEGABYTES,
+             "files": [f"tests/golden/{name}" for name in golden],
+             "labs": {topic: lab(topic) for topic in topics if topic in exercises.lab_topics()}}
+    data = json.dumps(known).replace("<", "\\u003c")
+    return ('<p class="my-work" hidden><button class="zip">My work as a zip</button> '
+            '<label>Put in a zip, or a file of <code>labs/</code>: <input type="file" '
+            'accept=".zip,.py"></label> <output></output></p>'
+            f'<script type="application/json" id="practice">{data}</script>')
+
+
+def lab(topic):
+    """A lab as it comes: its text, the names in it, {name: text} of its extras when opened."""
+    whole = exercises.read(exercises.reference(topic))
+    text, opened = (lab_text.skeleton(whole, extras) for extras in (False, True))
+    extras = {exercise.name for exercise in exercises.text_exercises(opened) if exercise.is_extra}
+    names = [name for node in ast.parse(text).body for name in defined(node)]
+    return {"text": text, "names": names,
+            "extras": {node.name: ast.get_source_segment(opened, node)
+                       for node in exercises.top_level_functions(opened) if node.name in extras}}

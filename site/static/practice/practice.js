@@ -1,0 +1,136 @@
+/** Exercises, done on a lab's page: an editor for each. Python checks them, in a worker. */
+import { edit } from "./editor.js";
+import { ask, begin, onProgress, stop } from "./python.js";
+import { files, keep, lab, onOther } from "./work.js";
+
+const about = JSON.parse(document.querySelector("#practice").textContent);
+const shown = new Map(); // the exercises with an editor, by number
+
+function practise(place) {
+  const { number, topic, name } = place.dataset, file = `labs/${topic}.py`;
+  const part = () => lab(topic, about.labs[topic]).part(name);
+  if (part().isClosed) return offer(place, topic, name);
+  place.innerHTML = `<div class="bar"><code>${file}</code> <button class="check">Check ${number}
+    </button> <button class="stop" hidden>Stop</button> <output></output>
+    <progress hidden></progress></div><div class="text"></div><pre class="report" tabindex="0" hidden></pre>`;
+  const find = (what) => place.querySelector(what);
+  const editor = edit(find(".text"), `Your ${name}`, part().text, (text) => {
+    if (text === part().text) return;
+    part().write(text);
+    keep(topic, say);
+    begin(about);
+    for (const other of shown.values()) if (other.topic === topic) other.number();
+  }, check);
+  let waits = false;
+
+  function say(words, kind = "") {
+    find("output").textContent = words;
+    place.dataset.verdict = kind;
+  }
+
+  const report = (text) => Object.assign(find(".report"), { textContent: text, hidden: !text });
+
+  function progress(have, of, isThere) {
+    if (!waits && !place.contains(document.activeElement)) return;
+    const much = have < of ? ` ${have.toFixed(1)} of ${of.toFixed(1)} MB` : "";
+    if (isThere) say(waits ? "checking" : "Python is ready");
+    else say(much || have > of + 1 ? `Python comes:${much || ` ${have.toFixed(1)} MB`}`
+      : "Python starts");
+    Object.assign(find("progress"), { max: of, value: have, hidden: isThere || !much });
+  }
+
+  async function check() {
+    if (waits) return;
+    waits = true;
+    find(".stop").hidden = false;
+    say("checking");
+    try {
+      const found = await ask(about, "check", files(), number);
+      for (const [each, told] of Object.entries(found.verdicts)) shown.get(each)?.say(told, told);
+      report(found.report);
+      if (find(".yours")) await draw();
+    } catch (fault) {
+      say(fault.message);
+      report(fault.tells ? `${fault.tells}\nYour text is kept. On your own computer, ` +
+        `python3 -m course check ${number} checks it.` : "");
+    } finally {
+      waits = false;
+      find(".stop").hidden = find("progress").hidden = true;
+    }
+  }
+
+  async function draw() {
+    const { waits, width, colours } = await ask(about, "picture", files(), name);
+    const canvas = find(".yours canvas");
+    find(".yours figcaption").textContent = waits ?? "yours";
+    place.querySelector(".draws").classList.toggle("drawn", !waits);
+    if (waits) return;
+    const bytes = Uint8ClampedArray.from(atob(colours), (letter) => letter.charCodeAt(0));
+    canvas.width = canvas.height = width;
+    canvas.getContext("2d").putImageData(new ImageData(bytes, width), 0, 0);
+  }
+
+  const me = {
+    topic, say, progress, number: () => editor.begin(part().line),
+    renew() {
+      if (editor.read() !== part().text) editor.write(part().text);
+      me.number();
+    },
+  };
+  shown.set(number, me);
+  me.number();
+  const pair = place.nextElementSibling;
+  if (pair?.matches(".draws")) find(".text").after(pair);
+  find(".check").onclick = check;
+  find(".stop").onclick = () => stop(about);
+  for (const touch of ["pointerdown", "focusin"]) {
+    place.addEventListener(touch, () => begin(about), { once: true });
+  }
+}
+
+/** An extra is complete until it is opened. */
+function offer(place, topic, name) {
+  place.innerHTML = "<button>Open this extra, to write it yourself</button>";
+  place.firstChild.onclick = () => {
+    lab(topic, about.labs[topic]).part(name).write(about.labs[topic].extras[name]);
+    keep(topic);
+    practise(place);
+  };
+}
+
+onProgress((...told) => shown.forEach((each) => each.progress(...told)));
+onOther((topic) => shown.forEach((each) => each.topic === topic && each.renew()));
+document.querySelectorAll(".practice").forEach(practise);
+if (location.search === "?begin") begin(about);
+
+const work = document.querySelector(".my-work");
+work.hidden = false;
+work.querySelector(".zip").onclick = () => told(async () => {
+  const { zip } = await ask(about, "pack", files(), JSON.stringify(Object.keys(files())));
+  const link = document.createElement("a");
+  link.href = `data:application/zip;base64,${zip}`;
+  link.download = "labs.zip";
+  link.click();
+  return "labs.zip is what to hand in.";
+});
+work.querySelector("input").onchange = ({ target }) => told(async () => {
+  const file = target.files[0], bytes = new Uint8Array(await file.arrayBuffer());
+  const content = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  const { texts, notes } = await ask(about, "unpack", {}, file.name, content);
+  target.value = "";
+  const mine = files(), names = Object.keys(texts);
+  const over = names.filter((topic) => mine[topic] && mine[topic] !== texts[topic]);
+  if (over.length && !confirm(`Replace what you have written in ${over.join(", ")}?`)) return "";
+  for (const topic of names) {
+    lab(topic, about.labs[topic]).put(texts[topic]);
+    keep(topic);
+    shown.forEach((each) => each.topic === topic && each.renew());
+  }
+  return [`${names.length} files of labs/ are yours again.`, ...notes].join(" ");
+});
+
+async function told(task) {
+  const output = work.querySelector("output");
+  output.textContent = "Python is asked";
+  output.textContent = await task().catch((fault) => `${fault.message} ${fault.tells ?? ""}`);
+}
