@@ -38,7 +38,7 @@ def prose(element):
     """The text of a docstring's place on a page, without what was added to it."""
     element = copy.copy(element)
     for added in element.select(".marks, .equation, .belongs, .signature, .read-on, h2, "
-                                ".as-typed > summary"):
+                                ".as-typed > summary, .practice, .draws"):
         added.decompose()
     return element.get_text()
 

@@ -21,7 +21,7 @@ def test_a_mapped_text_differs_from_its_source_in_links_alone(tmp_path):
     def bare(text):
         text = re.sub(r'<figure[^>]*><img src="\S+" alt="([^"]+)"[^>]*></figure>', r"!\1",
                       html.unescape(text))
-        return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
+        return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "").split()
 
     texts_links.write(tmp_path, tmp_path / "extra")
     for source, page in names.TEXTS.items():
