@@ -52,7 +52,7 @@ SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
 TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
 OPENED = option("target", metavar="TARGET",
-                help=f"an exercise (1.2), a lab (1), labs (1-3) or a topic ({LABS[0][0]})")
+                help=f"an exercise (1.1), a lab (1), labs (1-3) or a topic ({LABS[0][0]})")
 
 
 # --- to do the labs -----------------------------------------------------------------------------
@@ -61,7 +61,7 @@ OPENED = option("target", metavar="TARGET",
 @command(
     DO, "check [TARGET]",
     option("target", nargs="?", metavar="TARGET",
-           help=f"a topic ({LABS[0][0]}), a lab (1) or an exercise (1.2); without, everything"),
+           help=f"a topic ({LABS[0][0]}), a lab (1) or an exercise (1.1); without, everything"),
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check"),
     option("--watch", action="store_true", help="check again whenever a file is saved"),
     option("--pictures", action="store_true",

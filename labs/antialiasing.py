@@ -88,7 +88,7 @@ def pair_step(owner, other, width):
     return other_column - column, other_row - row
 
 
-def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
+def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.3
     """Eq. (2): points in their pair's frame, the owner's centre at x = 0, the other's at x = 1.
 
     screen_x, screen_y (K, N) are K points for each of N pairs. owner, other (N,) are pixels,
@@ -98,10 +98,10 @@ def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
     >>> pair_frame(x, y, np.array([10, 10]), np.array([9, 2]), 8)  # (2.5, 1.5): left, below
     (array([[-0.5, -2.5]]), array([[2.5, 0.5]]))
     """
-    raise NotImplementedError("exercise 8.5: pair_frame")
+    raise NotImplementedError("exercise 8.3: pair_frame")
 
 
-def crossing(x0, y0, x1, y1):  # step 8.7
+def crossing(x0, y0, x1, y1):  # step 8.4
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
     x0, y0, x1, y1 (...), y0 and y1 different.
@@ -112,10 +112,10 @@ def crossing(x0, y0, x1, y1):  # step 8.7
     Fine print. An edge that reaches behind the camera may have an end near infinity, and a
     difference of huge numbers has few digits. Measure from the end that is nearer to y = 0.
     """
-    raise NotImplementedError("exercise 8.7: crossing")
+    raise NotImplementedError("exercise 8.4: crossing")
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.8
+def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.10
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
@@ -126,10 +126,10 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.8
     with epsilon of h's sign. Use r in c = (x0 y1 - x1 y0) r, dc/dx0 = r y1, dc/dy0 = r (c - x1).
     For the other end swap the ends: r becomes -r.
     """
-    raise NotImplementedError("exercise 8.8: crossing_backward")
+    raise NotImplementedError("exercise 8.10: crossing_backward")
 
 
-def last_crossing(x, y, w):  # step 8.9
+def last_crossing(x, y, w):  # step 8.5
     """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
     x, y, w (3, N), a face's corners in the pair's frame -> edge (N,), c (N,) of eq. (3). Edge k
@@ -143,10 +143,10 @@ def last_crossing(x, y, w):  # step 8.9
     Nothing is divided by 0. A corner behind the camera (w < 0) is mirrored: compare s y with 0,
     s the sign of w. A crossing is in front of the camera if s_i |y_j| + s_j |y_i| > 0.
     """
-    raise NotImplementedError("exercise 8.9: last_crossing")
+    raise NotImplementedError("exercise 8.5: last_crossing")
 
 
-def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
+def blend_pairs(colour, pairs):  # exercise 8.9 (2 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
@@ -161,7 +161,7 @@ def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
     Fine print. The output is of floats, as a blend of integers is no integer. A c outside of [0, 1]
     counts as 0 or 1: no pixel gives away more than half of its colour.
     """
-    raise NotImplementedError("exercise 8.13: blend_pairs")
+    raise NotImplementedError("exercise 8.9: blend_pairs")
 
 
 def ends_backward(grad_x, grad_y, ends, clip, width, height):
@@ -180,7 +180,7 @@ def ends_backward(grad_x, grad_y, ends, clip, width, height):
     return grad_clip
 
 
-def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 points)
+def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.11 (4 points)
                          epsilon=0.0):
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
@@ -202,4 +202,4 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 p
     pixel on the other side. Take the owner's side there, as nvdiffrast does. A c outside of [0, 1]
     counts as 0 or 1. epsilon is that of `crossing_backward`.
     """
-    raise NotImplementedError("exercise 8.14: blend_pairs_backward")
+    raise NotImplementedError("exercise 8.11: blend_pairs_backward")

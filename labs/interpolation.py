@@ -38,7 +38,7 @@ def lerp(a, b, t):
     return (1 - t) * a + t * b
 
 
-def fraction_in_space(t, w_0, w_1):  # step 5.2
+def fraction_in_space(t, w_0, w_1):  # step 5.1
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
     t, w_0, w_1: numbers or arrays.
@@ -46,10 +46,10 @@ def fraction_in_space(t, w_0, w_1):  # step 5.2
     >>> fraction_in_space(np.array([0.0, 0.5, 1.0]), 1.0, 3.0)
     array([0.  , 0.25, 1.  ])
     """
-    raise NotImplementedError("exercise 5.2: fraction_in_space")
+    raise NotImplementedError("exercise 5.1: fraction_in_space")
 
 
-def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
+def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.2 (2 points)
     """Eq. (2): the attributes seen at fractions t (N,) of a segment on the screen -> (N, C).
 
     Its ends have the attributes a_0, a_1 (C,), and w_0, w_1, two numbers.
@@ -62,7 +62,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def barycentric_from_screen(e, w):  # step 5.5
+def barycentric_from_screen(e, w):  # step 5.3
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
@@ -70,7 +70,7 @@ def barycentric_from_screen(e, w):  # step 5.5
     >>> barycentric_from_screen(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
     """
-    raise NotImplementedError("exercise 5.5: barycentric_from_screen")
+    raise NotImplementedError("exercise 5.3: barycentric_from_screen")
 
 
 def seen_corners(face_index, faces):
@@ -106,14 +106,14 @@ def edge_functions_at(px, py, x, y):
     return np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
 
 
-def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
+def barycentrics(face_index, clip, faces):  # exercise 5.6 (3 points)
     """Eq. (3) for a picture: where on its face, in space, does each pixel lie?
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> barycentric (H, W, 3), 0 where no face is seen.
     `samples_on_faces` is given. Loop over it: it yields pixel (N,), the numbers of pixels row by
     row, px, py (N,), their centres, and x, y, w (3, N), their faces' corners. `edge_functions_at`,
     also given, makes e (3, N). Fill an array (H * W, 3) at [pixel], and reshape it at the end. Step
-    5.5 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
+    5.3 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics(np.array([[0, -1]]), clip, np.array([[0, 1, 2]]))
@@ -122,10 +122,10 @@ def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
 
     Fine print. A corner may lie behind the camera, w < 0, or nearly at infinity on the screen.
     """
-    raise NotImplementedError("exercise 5.7: barycentrics")
+    raise NotImplementedError("exercise 5.6: barycentrics")
 
 
-def normalize_derivative(dc, b, s, axis=0):  # step 5.15
+def normalize_derivative(dc, b, s, axis=0):  # step 5.4
     """Eq. (4), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
     dc, b -> db. The three weights lie along the axis, and s broadcasts with them.
@@ -134,10 +134,10 @@ def normalize_derivative(dc, b, s, axis=0):  # step 5.15
     >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)
     array([ 0.75, -0.25, -0.5 ])
     """
-    raise NotImplementedError("exercise 5.15: normalize_derivative")
+    raise NotImplementedError("exercise 5.4: normalize_derivative")
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # step 5.6
+def normalize_backward(grad_b, b, s, axis=0):  # step 5.5
     """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
     The three weights lie along the axis, and s broadcasts with them.
@@ -148,10 +148,10 @@ def normalize_backward(grad_b, b, s, axis=0):  # step 5.6
     Fine print. In lab 7, s = sum c + a small constant. The rule is the same there, and b sums to
     less than 1.
     """
-    raise NotImplementedError("exercise 5.6: normalize_backward")
+    raise NotImplementedError("exercise 5.5: normalize_backward")
 
 
-def interpolate_pixel(attributes, corners, b):  # step 5.8
+def interpolate_pixel(attributes, corners, b):  # step 5.7
     """Eq. (5) at one pixel, a gather: attributes (V, C) of the vertices -> A (C,).
 
     corners (3,): the vertices of the face that it sees, b (3,): its barycentric.
@@ -160,11 +160,11 @@ def interpolate_pixel(attributes, corners, b):  # step 5.8
     >>> interpolate_pixel(attributes, np.array([2, 1, 3]), np.array([0.5, 0.25, 0.25]))
     array([6., 2.])
     """
-    raise NotImplementedError("exercise 5.8: interpolate_pixel")
+    raise NotImplementedError("exercise 5.7: interpolate_pixel")
 
 
 @has_faster("sparse_weights")
-def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2 points)
+def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), for all pixels at once: the picture (H, W, C) of attributes (V, C).
 
     faces (F, 3), face_index (H, W), barycentric (H, W, 3). It is 0 where no face is seen. The given
@@ -177,10 +177,10 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     array([[[6.],
             [0.]]])
     """
-    raise NotImplementedError("exercise 5.11: interpolate")
+    raise NotImplementedError("exercise 5.8: interpolate")
 
 
-def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 points)
+def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.9 (3 points)
     """Eq. (4) for a picture: how `barycentrics` changes by a pixel to the right, and one up.
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
@@ -196,7 +196,7 @@ def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 point
 
     Fine print. A corner may lie behind the camera, w < 0.
     """
-    raise NotImplementedError("exercise 5.13: barycentrics_derivatives")
+    raise NotImplementedError("exercise 5.9: barycentrics_derivatives")
 
 
 def interpolate_derivatives(attributes, faces, face_index, derivatives):
@@ -210,7 +210,7 @@ def interpolate_derivatives(attributes, faces, face_index, derivatives):
     return np.stack([by_x, by_y], -1)
 
 
-def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.9
+def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.10
     """Eq. (7) at one pixel, a scatter: grad (C,) -> grad_attributes (V, C), grad_b (3,).
 
     The backward pass of `interpolate_pixel`. A vertex that is two of the corners gets both shares.
@@ -221,11 +221,11 @@ def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.9
     >>> grads[0].T, grads[1]
     (array([[0., 2., 4., 2.]]), array([48., 32., 64.]))
     """
-    raise NotImplementedError("exercise 5.9: interpolate_pixel_backward")
+    raise NotImplementedError("exercise 5.10: interpolate_pixel_backward")
 
 
 @has_faster("sparse_weights")
-def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (3 points)
+def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.11 (3 points)
                          barycentric):
     """Eq. (7), for all pixels at once: the backward pass of `interpolate`.
 
@@ -240,7 +240,7 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
     >>> grads[0].T, grads[1]
     (array([[0., 2., 4., 2.]]), array([[[48., 32., 64.]]]))
     """
-    raise NotImplementedError("exercise 5.12: interpolate_backward")
+    raise NotImplementedError("exercise 5.11: interpolate_backward")
 
 
 def interpolate_derivatives_backward(grad_output, attributes, faces, face_index, derivatives):

@@ -20,7 +20,7 @@ import numpy as np
 from course.given.arrays import scatter
 
 
-def squared_error(picture, target):  # exercise 9.2 (1 point)
+def squared_error(picture, target):  # exercise 9.1 (1 point)
     """Eq. (2): how far is a picture from its target, and how should each value change?
 
     picture, target: floats of one shape -> the loss, a number, and its gradient grad_picture.
@@ -29,10 +29,10 @@ def squared_error(picture, target):  # exercise 9.2 (1 point)
     (np.float64(5.0), array([[[0., 1.],
             [0., 2.]]]))
     """
-    raise NotImplementedError("exercise 9.2: squared_error")
+    raise NotImplementedError("exercise 9.1: squared_error")
 
 
-def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
+def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.4 (3 points)
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
@@ -44,7 +44,7 @@ def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
     >>> x.round(6), mean.round(6), square.round(6)
     (array([4.75, 5.25]), array([  0.4, -10. ]), array([ 0.016, 10.   ]))
     """
-    raise NotImplementedError("exercise 9.3: adam_step")
+    raise NotImplementedError("exercise 9.4: adam_step")
 
 
 def descend(x, gradient, schedule, update=adam_step, project=lambda x: x):
@@ -87,7 +87,7 @@ def decay(rate, factor, steps):
     return [rate * factor**(step / steps) for step in range(steps)]
 
 
-def quaternion_product(p, q):  # extra 9.4 (2 points)
+def quaternion_product(p, q):  # extra 9.9 (2 points)
     """The product p q of quaternions. It rotates first by q, then by p.
 
     p, q (..., 4), shapes that broadcast -> (..., 4). (w, x, y, z) stands for w + xi + yj + zk. The
@@ -104,7 +104,7 @@ def quaternion_product(p, q):  # extra 9.4 (2 points)
                      pw * qz + pz * qw + px * qy - py * qx], -1)
 
 
-def quaternion_matrix(q):  # exercise 9.5 (2 points)
+def quaternion_matrix(q):  # exercise 9.8 (2 points)
     """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
     q may have any length but 0. `quaternion_product` or `cross_matrix` will help.
@@ -112,10 +112,10 @@ def quaternion_matrix(q):  # exercise 9.5 (2 points)
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])
     """
-    raise NotImplementedError("exercise 9.5: quaternion_matrix")
+    raise NotImplementedError("exercise 9.8: quaternion_matrix")
 
 
-def quaternion_matrix_backward(grad_matrix, q):  # extra 9.6 (4 points)
+def quaternion_matrix_backward(grad_matrix, q):  # extra 9.10 (4 points)
     """Backward of `quaternion_matrix`: grad_matrix (4, 4) -> grad_q (4,).
 
     All four numbers of q are free. Its length makes no difference to the matrix, so grad_q is at
@@ -146,7 +146,7 @@ def cross_matrix(u):
                      [-y,  x,  0]])
 
 
-def rotation_angle(p, q):  # extra 9.7 (2 points)
+def rotation_angle(p, q):  # extra 9.11 (2 points)
     """By what angle, from 0 to pi, do two rotations differ? p, q (..., 4) of length 1 -> (...).
 
     It is the angle of the rotation from one to the other. q and -q stand for the same rotation.
@@ -164,7 +164,7 @@ def rotation_angle(p, q):  # extra 9.7 (2 points)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
-def silhouette_loss(coverage, target):  # exercise 9.8 (3 points)
+def silhouette_loss(coverage, target):  # exercise 9.5 (3 points)
     """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
 
     coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered -> the
@@ -176,10 +176,10 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (3 points)
 
     Fine print. Two empty silhouettes are the same: the loss is 0, and so is its gradient.
     """
-    raise NotImplementedError("exercise 9.8: silhouette_loss")
+    raise NotImplementedError("exercise 9.5: silhouette_loss")
 
 
-def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
+def uniform_laplacian(positions, edges):  # extra 9.6 (2 points)
     """Eq. (5): how far is each vertex from the mean of its neighbours?
 
     positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
@@ -198,7 +198,7 @@ def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
-def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.11 (3 points)
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.7 (3 points)
     """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
 
     Eq. (5) is linear, so that only the shape of positions matters.

@@ -97,8 +97,9 @@ def in_texels(jacobian, width, height):
 def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
     """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
-    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, of u and v from 0 to 1. The texture has
-    width x height texels. The far floor of `python3 -m course demo --impl labs floor` needs it.
+    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y. The given `in_texels` gives those of s and t.
+    The texture has width x height texels. The far floor of
+    `python3 -m course demo --impl labs floor` needs it.
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.0, 0.03125], [0.0625, 0.0]]])
     >>> mip_level(jacobian, 16, 16)
@@ -140,8 +141,8 @@ def mip_level_backward(grad_level, jacobian, width, height):
 def blend_levels(level, top):  # step 6.8
     """Eq. (7): the two levels that a pixel mixes: integers lower, upper and the fraction f (N,).
 
-    level (N,) is first clamped to [0, top], where top is the pyramid's last level. upper is at most
-    top.
+    level (N,) is first clamped to [0, top], where top is the last level. upper is lower + 1, but at
+    most top.
 
     >>> blend_levels(np.array([-np.inf, 0.25, 1.5, 2.0, 7.0]), 2)
     (array([0, 0, 1, 2, 2]), array([1, 1, 2, 2, 2]), array([0.  , 0.25, 0.5 , 0.  , 0.  ]))
@@ -190,9 +191,10 @@ def mixture(level, filter_mode, top):
 def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
     """Eqs. (3) and (7): all texels that make a pixel's colour: index, weight, inside (N, K).
 
-    uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the given `nearest_at`. The
-    given `mixture` says which levels, and their shares. Level l of the Mipmap begins at number
-    start[l]. The floor of `python3 -m course demo --impl labs floor` is calm far away with it.
+    uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the filter "nearest", by
+    the given `nearest_at`. The given `mixture` says which levels, and their shares. Level l of the
+    Mipmap begins at number start[l]. The far floor of `python3 -m course demo --impl labs floor` is
+    calm with it.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> how = Sampler("linear-mipmap-linear", "wrap", None)
@@ -206,8 +208,9 @@ def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 
     """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
 
     Inside, a weight is share * row's weight * column's weight. Trilinear shares are 1 - f and f,
-    and the given `blend_levels_backward` goes from f to the level. All else has none.
-    `python3 -m course demo --impl labs floor` finds by it where a texture lies, and how blurred.
+    and the given `blend_levels_backward` goes from f to the level. Other filters have no
+    grad_level, and "nearest" has no grad_uv. `python3 -m course demo --impl labs floor` finds by it
+    where a texture lies, and how blurred.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> look = np.array([[0.5, 0.1875]]), np.array([0.75]), mipmap

@@ -178,7 +178,8 @@ def shading_requests(face_index):  # exercise 4.7 (4 points)
     >>> shading_requests(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
     [[[0, -1]], [[0, 3]], [[1, 2]]]
 
-    Fine print. There may be millions of pixels, and of faces: their product needs 64 bits.
+    Fine print. There may be millions of pixels, and of faces: their product needs 64 bits. Or no
+    sample sees a face: N = 0.
     """
     raise NotImplementedError("exercise 4.7: shading_requests")
 

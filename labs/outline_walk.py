@@ -26,7 +26,7 @@ from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step
 from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, some, steep_pairs
 
 
-def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
+def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
     """By which edge does each pair's line leave the face that it comes into? -> Pairs
 
     As `leave_faces`, but for corner (N,), numbered 3 * face + corner as in `opposite_corners`. The
@@ -44,10 +44,10 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.15
     (w < 0) is mirrored: compare s y, s the sign of w. If the crossing is not in front of it, where
     s_i |y_j| + s_j |y_i| <= 0, the face passes the other's centre: c = np.inf.
     """
-    raise NotImplementedError("exercise 8.15: enter_faces")
+    raise NotImplementedError("exercise 8.12: enter_faces")
 
 
-def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.16 (5 points)
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (5 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
     The first steps are done: pairs are those of `leave_faces`. Go on from face to face, by
@@ -66,7 +66,7 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
     Fine print. If no edge of the first face crosses, c is -np.inf and the walk is over. No walk is
     longer than there are faces.
     """
-    raise NotImplementedError("exercise 8.16: walk")
+    raise NotImplementedError("exercise 8.13: walk")
 
 
 def is_outline(pairs, silhouette):
@@ -74,7 +74,7 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (2 points)
     """The pairs of neighbours with an outline between their centres -> Pairs
 
     First the owner's surface walks, and the given `is_outline` says where it found one. It may
@@ -89,7 +89,7 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.17 (2
     >>> pairs.owner, pairs.other, pairs.c
     (array([1]), array([2]), array([0.25]))
     """
-    raise NotImplementedError("exercise 8.17: outline_pairs")
+    raise NotImplementedError("exercise 8.14: outline_pairs")
 
 
 def walked_pairs(face_index, depth, clip, faces, opposite):
@@ -99,7 +99,7 @@ def walked_pairs(face_index, depth, clip, faces, opposite):
     return steep_pairs(Pairs(*pairs))
 
 
-def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.18 (3 points)
+def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.15 (3 points)
     """Eq. (8): grad_picture, colour (H, W, C), pairs of `outline_pairs` -> grad_clip (V, 4).
 
     The outline's point divides its edge as y0 and y1 say: it is (1 - t) end_0 + t end_1 with

@@ -46,7 +46,7 @@ def all_silhouettes(clip, faces, opposite, width, height):
         return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
 
 
-def neighbours(face_index, depth):  # exercise 8.10 (2 points)
+def neighbours(face_index, depth):  # exercise 8.6 (2 points)
     """Which neighbouring pixels see different faces? -> owner, other (N,)
 
     face_index, depth (H, W). Neighbours lie beside or above each other. Of a pair, the pixel that
@@ -58,10 +58,10 @@ def neighbours(face_index, depth):  # exercise 8.10 (2 points)
 
     Fine print. Of two that are equally deep, the one to the right or above is the owner.
     """
-    raise NotImplementedError("exercise 8.10: neighbours")
+    raise NotImplementedError("exercise 8.6: neighbours")
 
 
-def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.11 (3 points)
+def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.7 (3 points)
     """By which edge does each pair's line leave a face, on the way from owner to other? -> Pairs
 
     owner, other, face (N,). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). In the
@@ -77,7 +77,7 @@ def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.11 (3 p
     Fine print. Corners behind the camera, faces that no edge leaves, and equal c are as in
     `last_crossing`.
     """
-    raise NotImplementedError("exercise 8.11: leave_faces")
+    raise NotImplementedError("exercise 8.7: leave_faces")
 
 
 def some(pairs, kept):
@@ -92,7 +92,7 @@ def is_dropped(c, owner, other):
     return (c == 0.5) & (owner < other)
 
 
-def steep_pairs(pairs):  # exercise 8.12 (1 point)
+def steep_pairs(pairs):  # exercise 8.8 (1 point)
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and
@@ -106,7 +106,7 @@ def steep_pairs(pairs):  # exercise 8.12 (1 point)
 
     Fine print. Leave out what the given `is_dropped` names.
     """
-    raise NotImplementedError("exercise 8.12: steep_pairs")
+    raise NotImplementedError("exercise 8.8: steep_pairs")
 
 
 def blended_pairs(face_index, depth, clip, faces, opposite):

@@ -132,7 +132,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
 
 @has_kernels("compiled_pipeline")
-def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
+def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
          width, height, background):
     """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
@@ -147,11 +147,11 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
     >>> picture[0, :, 0], buffers.colour[0, :, 0]
     (array([1.  , 0.75, 0.  , 0.  ]), array([1., 1., 0., 0.]))
     """
-    raise NotImplementedError("exercise 9.12: draw")
+    raise NotImplementedError("exercise 9.2: draw")
 
 
 @has_kernels("compiled_pipeline")
-def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
+def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 points)
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
@@ -168,7 +168,7 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 po
     >>> grad_material.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
     """
-    raise NotImplementedError("exercise 9.13: draw_backward")
+    raise NotImplementedError("exercise 9.3: draw_backward")
 
 
 def to_clip(positions, clip_from_model):

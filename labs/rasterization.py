@@ -54,7 +54,7 @@ def signed_area(triangle):
     return (x1 * y2 - x2 * y1) / 2
 
 
-def is_top_left(n_x, n_y):  # step 2.5
+def is_top_left(n_x, n_y):  # step 2.2
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -63,10 +63,10 @@ def is_top_left(n_x, n_y):  # step 2.5
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
     """
-    raise NotImplementedError("exercise 2.5: is_top_left")
+    raise NotImplementedError("exercise 2.2: is_top_left")
 
 
-def screen_weights(p, triangle):  # step 2.7
+def screen_weights(p, triangle):  # step 2.3
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -75,10 +75,10 @@ def screen_weights(p, triangle):  # step 2.7
     >>> screen_weights(np.array([1.0, 0.0]), triangle)
     array([0.75, 0.25, 0.  ])
     """
-    raise NotImplementedError("exercise 2.7: screen_weights")
+    raise NotImplementedError("exercise 2.3: screen_weights")
 
 
-def cover(p, triangle, z):  # exercise 2.6 (6 points)
+def cover(p, triangle, z):  # exercise 2.4 (6 points)
     """Eqs. (2) to (4): does a face cover the samples, and how deep is it there?
 
     p (..., 2): samples, a list (N, 2) or a block (h, w, 2), or none. triangle (3, 2): a face's
@@ -96,10 +96,10 @@ def cover(p, triangle, z):  # exercise 2.6 (6 points)
     and 1 are covered, too: eq. (4) is exact where all z are equal, and sum l_k z_k is not. A face
     without area covers nothing.
     """
-    raise NotImplementedError("exercise 2.6: cover")
+    raise NotImplementedError("exercise 2.4: cover")
 
 
-def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
+def bounding_box(triangle, width, height):  # exercise 2.5 (2 points)
     """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
     triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. x0 is the first column j
@@ -113,7 +113,7 @@ def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
     between 0 and height, however far out the triangle is. If there is no pixel, x0 >= x1 or
     y0 >= y1.
     """
-    raise NotImplementedError("exercise 2.8: bounding_box")
+    raise NotImplementedError("exercise 2.5: bounding_box")
 
 
 def screen_points(clip, width, height):
@@ -137,7 +137,7 @@ def screen_points(clip, width, height):
     return x, y, w
 
 
-def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
+def cull_back_faces(x, y, w, faces):  # extra 2.7 (2 points)
     """The faces (F', 3) that turn their front to the camera, in their order.
 
     x, y, w (V,) of `screen_points`, faces (F, 3). A face in front of the camera shows its front if
@@ -154,7 +154,7 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
 
 
 @has_faster("scanline")
-def rasterize(clip, faces, width, height):  # exercise 2.13 (5 points)
+def rasterize(clip, faces, width, height):  # exercise 2.6 (5 points)
     """What each pixel sees: for each face, and all pixels of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
@@ -169,10 +169,10 @@ def rasterize(clip, faces, width, height):  # exercise 2.13 (5 points)
 
     Fine print. All w are positive. The first of two equally deep faces is seen.
     """
-    raise NotImplementedError("exercise 2.13: rasterize")
+    raise NotImplementedError("exercise 2.6: rasterize")
 
 
-def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
+def cover_in_clip_space(p, corners):  # extra 2.8 (4 points)
     """Eq. (5) without a division: which samples does a face cover, also one behind the camera?
 
     p (..., 2): samples in ndc. corners (3, 4): a face in clip space, any w -> covered (...), border
@@ -192,7 +192,7 @@ def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
     return (weights >= 0).all(-1) & (np.abs(depth) <= 1), depth
 
 
-def edge_function_backward(grad_e, p, a, b):  # extra 2.2 (2 points)
+def edge_function_backward(grad_e, p, a, b):  # extra 2.9 (2 points)
     """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
 
     p, a, b (..., 2), all of one shape.

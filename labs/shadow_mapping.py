@@ -138,7 +138,7 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
     """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
     normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
-    ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along either light.
+    ray (N, 3) = (-C_32 q_x / w, -C_32 q_y / w, -1).
 
     >>> C = np.diag([0.5, 0.25, -1.0, 1.0])                          # parallel light
     >>> normal, q = np.array([[0.6, 0.0, 0.8]]), np.array([[2.5, 2.0, -5.0]])

@@ -57,7 +57,7 @@ def on_plane(place, distance, slope, step):  # step 14.6
     """The place a step away on the map, and how distant the receiver's plane is there.
 
     place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
-    at the *centre* of its texel: it grows by slope.
+    at the *centre* of its texel: it grows by slope . (from place to that centre).
 
     >>> on_plane(np.array([[2.25, 3.5]]), np.array([7.0]), np.array([[0.5, 0.1]]), np.array([1, 2]))
     (array([[3.25, 5.5 ]]), array([7.825]))
@@ -91,9 +91,9 @@ def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.
                            bias, offsets, lamp):
     """PCSS: the share of a disc's light that comes to the receivers -> (N,).
 
-    At depth 1, the disc's radius is lamp texels. In (7), b is the mean of what is stored at
-    blockers: places dark by (6), within the radius (7) of the nearest distance of all. Then filter
-    by (6) within b's radius, or 0 without blockers. It draws
+    At depth b, the disc's radius is lamp / b texels. In (7), b is the mean of what is stored at
+    blockers: places dark by (6), within the radius (7) of the nearest distance of all, or 0 if the
+    receiver is nearer. Then filter by (6) within b's radius, or 0 without blockers. It draws
     `python3 -m course demo --impl labs shadow`.
 
     >>> distance_map = np.array([[1.0, 2.0, 9.0, 9.0, 9.0]])

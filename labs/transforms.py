@@ -31,7 +31,7 @@ def to_homogeneous(points):
     return np.concatenate([points, np.ones_like(points[..., :1])], -1)
 
 
-def transform(points, matrix):  # exercise 1.2 (1 point)
+def transform(points, matrix):  # exercise 1.1 (1 point)
     """Eq. (2), one matrix of it: where does it move the points?
 
     points (..., 4), matrix (4, 4) -> (..., 4).
@@ -39,10 +39,10 @@ def transform(points, matrix):  # exercise 1.2 (1 point)
     >>> transform(np.array([[1.0, 2.0, 3.0, 1.0]]), np.diag([2.0, 1.0, 1.0, 1.0]))
     array([[2., 2., 3., 1.]])
     """
-    raise NotImplementedError("exercise 1.2: transform")
+    raise NotImplementedError("exercise 1.1: transform")
 
 
-def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
+def transform_backward(grad_output, points, matrix):  # exercise 1.10 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
     All points share the one matrix, so each adds to grad_matrix.
@@ -52,7 +52,7 @@ def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     >>> grad_point, grad_matrix[1]
     (array([ 0., 20.,  0.,  0.]), array([50., 60., 80., 10.]))
     """
-    raise NotImplementedError("exercise 1.3: transform_backward")
+    raise NotImplementedError("exercise 1.10: transform_backward")
 
 
 def translate(offset):
@@ -75,7 +75,7 @@ def scale(factors):
     return np.diag([*factors, 1.0])
 
 
-def rotate(axis, angle):  # extra 1.6 (2 points)
+def rotate(axis, angle):  # extra 1.2 (2 points)
     """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
     R is its upper left 3 x 3. n n^T is the outer product of n with itself.
@@ -94,7 +94,7 @@ def rotate(axis, angle):  # extra 1.6 (2 points)
     return matrix
 
 
-def look_at(eye, target, up):  # exercise 1.7 (3 points)
+def look_at(eye, target, up):  # exercise 1.3 (3 points)
     """Eq. (4): view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
     up (3,) points roughly upwards.
@@ -105,10 +105,10 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points)
     Fine print. Where up is along the view, or the eye at its target, nothing says what is right.
     Raise a ValueError there, for 0 / 0 is NaN. Rounding may leave 1e-16 |up| |back| in place of 0.
     """
-    raise NotImplementedError("exercise 1.7: look_at")
+    raise NotImplementedError("exercise 1.3: look_at")
 
 
-def normal_matrix(matrix):  # extra 1.8 (2 points)
+def normal_matrix(matrix):  # extra 1.4 (2 points)
     """The matrix N (3, 3) that moves the normals of a surface whose points matrix (4, 4) moves.
 
     (N n) . (A v) = n . v for all n and v, where A is the upper left 3 x 3 of the matrix. So a
@@ -121,7 +121,7 @@ def normal_matrix(matrix):  # extra 1.8 (2 points)
     return np.linalg.inv(matrix[:3, :3]).T
 
 
-def pinhole(f):  # step 1.9
+def pinhole(f):  # step 1.5
     """The matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
 
     This is the textbook's camera. It looks down +z and keeps no depth. `perspective` mends both.
@@ -129,19 +129,19 @@ def pinhole(f):  # step 1.9
     >>> pinhole(2.0) @ np.array([1.0, 3.0, 4.0, 1.0])
     array([2., 6., 8., 4.])
     """
-    raise NotImplementedError("exercise 1.9: pinhole")
+    raise NotImplementedError("exercise 1.5: pinhole")
 
 
-def frustum_sides(fov_y, aspect, near):  # step 1.10
+def frustum_sides(fov_y, aspect, near):  # step 1.6
     """Eq. (5): l, r, b, t of the near plane, four numbers. fov_y is the angle from bottom to top.
 
     >>> np.round(frustum_sides(np.pi / 2, 2.0, 0.5), 3)
     array([-1. ,  1. , -0.5,  0.5])
     """
-    raise NotImplementedError("exercise 1.10: frustum_sides")
+    raise NotImplementedError("exercise 1.6: frustum_sides")
 
 
-def perspective(fov_y, aspect, near, far):  # exercise 1.11 (3 points)
+def perspective(fov_y, aspect, near, far):  # exercise 1.7 (3 points)
     """Eqs. (5) and (6): clip_from_view (4, 4) of a camera that looks straight ahead.
 
     fov_y: the angle from bottom to top. near, far: distances. The two conditions of (6) say what
@@ -153,7 +153,7 @@ def perspective(fov_y, aspect, near, far):  # exercise 1.11 (3 points)
            [ 0. ,  0. , -2. , -3. ],
            [ 0. ,  0. , -1. ,  0. ]])
     """
-    raise NotImplementedError("exercise 1.11: perspective")
+    raise NotImplementedError("exercise 1.7: perspective")
 
 
 def frustum(l, r, b, t, near, far):
@@ -164,7 +164,7 @@ def frustum(l, r, b, t, near, far):
     return matrix
 
 
-def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
+def orthographic(l, r, b, t, near, far):  # extra 1.8 (2 points)
     """clip_from_view (4, 4) without perspective: the box l..r, b..t, z = -near..-far fills ndc.
 
     An object that is shallow beside its distance looks nearly as it does through `frustum`, if l,
@@ -179,7 +179,7 @@ def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
                      [0,           0,           0,                1]])
 
 
-def to_screen(clip, width, height):  # exercise 1.13 (2 points)
+def to_screen(clip, width, height):  # exercise 1.9 (2 points)
     """Eqs. (7) and (8): where on screen, and how deep, are points in clip space?
 
     clip (..., 4), w not 0 -> screen (..., 3): x and y in pixels, y up, and the depth, z of ndc.
@@ -188,10 +188,10 @@ def to_screen(clip, width, height):  # exercise 1.13 (2 points)
     >>> to_screen(np.array([2.0, -2.0, 2.0, 4.0]), 640, 480)
     array([480. , 120. ,   0.5])
     """
-    raise NotImplementedError("exercise 1.13: to_screen")
+    raise NotImplementedError("exercise 1.9: to_screen")
 
 
-def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.14 (3 points)
+def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.11 (3 points)
     """Backward of `to_screen`: grad_screen (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
     Every outline finds its way back by it: `python3 -m course demo --impl labs fit_triangle`.
@@ -199,7 +199,7 @@ def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.14 (3 po
     >>> to_screen_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]), 640, 480)
     array([ 160.,    0.,    0., -480.])
     """
-    raise NotImplementedError("exercise 1.14: to_screen_backward")
+    raise NotImplementedError("exercise 1.11: to_screen_backward")
 
 
 def project(positions, clip_from_model, width, height):

@@ -44,7 +44,7 @@ def residual(values, m, a, target):
     return values @ np.linalg.solve(m, a) - target
 
 
-def inverse_differential(m, dm):  # step 7.3
+def inverse_differential(m, dm):  # step 7.2
     """Eq. (3): how does the inverse of m change where m changes by dm?
 
     m, dm (3, 3) -> (3, 3). It follows from M^-1 M = I.
@@ -53,10 +53,10 @@ def inverse_differential(m, dm):  # step 7.3
     >>> inverse_differential(np.diag([1.0, 2.0, 4.0]), dm)[0, 1]
     np.float64(-1.5)
     """
-    raise NotImplementedError("exercise 7.3: inverse_differential")
+    raise NotImplementedError("exercise 7.2: inverse_differential")
 
 
-def residual_slope(values, m, a, i, j):  # step 7.4
+def residual_slope(values, m, a, i, j):  # step 7.3
     """df/dm_ij: the derivative of eq. (2) with respect to the element of m in row i, column j.
 
     values (3,), m (3, 3), a (3,) -> a number. Use eq. (3) with dM = e_i e_j^T, a single 1.
@@ -65,10 +65,10 @@ def residual_slope(values, m, a, i, j):  # step 7.4
     >>> residual_slope(np.array([8.0, 0.0, 4.0]), m, np.array([1.0, 1.0, 1.0]), 0, 2)
     np.float64(1.0)
     """
-    raise NotImplementedError("exercise 7.4: residual_slope")
+    raise NotImplementedError("exercise 7.3: residual_slope")
 
 
-def residual_backward(grad_f, values, m, a, target):  # step 7.5
+def residual_backward(grad_f, values, m, a, target):  # step 7.4
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.
 
@@ -84,10 +84,10 @@ def residual_backward(grad_f, values, m, a, target):  # step 7.5
     >>> grads[0], grads[2], grads[3]
     (array([0.25, 0.25, 0.5 ]), array([-2., -2.,  8.]), -1.0)
     """
-    raise NotImplementedError("exercise 7.5: residual_backward")
+    raise NotImplementedError("exercise 7.4: residual_backward")
 
 
-def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.7 (5 points)
+def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.5 (5 points)
     """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
 
     triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
@@ -104,7 +104,7 @@ def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 
            [0.5 , 0.25],
            [0.5 , 0.25]])
     """
-    raise NotImplementedError("exercise 7.7: fit_step")
+    raise NotImplementedError("exercise 7.5: fit_step")
 
 
 def barycentric(m, a):
@@ -120,7 +120,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # step 7.9
+def barycentric_backward(grad_b, m, a):  # step 7.6
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.
@@ -133,4 +133,4 @@ def barycentric_backward(grad_b, m, a):  # step 7.9
            [ 0.  ,  0.  ,  0.  ],
            [ 0.24,  0.16,  0.  ]])
     """
-    raise NotImplementedError("exercise 7.9: barycentric_backward")
+    raise NotImplementedError("exercise 7.6: barycentric_backward")

@@ -111,7 +111,7 @@ def pair_step(owner, other, width):
     return other_column - column, other_row - row
 
 
-def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
+def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.3
     """Eq. (2): points in their pair's frame, the owner's centre at x = 0, the other's at x = 1.
 
     screen_x, screen_y (K, N) are K points for each of N pairs. owner, other (N,) are pixels,
@@ -127,7 +127,7 @@ def pair_frame(screen_x, screen_y, owner, other, width):  # step 8.5
     return dx * x + dy * y, np.abs(dy) * x + np.abs(dx) * y
 
 
-def crossing(x0, y0, x1, y1):  # step 8.7
+def crossing(x0, y0, x1, y1):  # step 8.4
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
     x0, y0, x1, y1 (...), y0 and y1 different.
@@ -143,7 +143,7 @@ def crossing(x0, y0, x1, y1):  # step 8.7
     return x - y * (x1 - x0) / (y1 - y0)
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.8
+def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.10
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
@@ -162,7 +162,7 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.8
     return slope * y1, slope * (c - x1), -slope * y0, slope * (x0 - c)
 
 
-def last_crossing(x, y, w):  # step 8.9
+def last_crossing(x, y, w):  # step 8.5
     """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
     x, y, w (3, N), a face's corners in the pair's frame -> edge (N,), c (N,) of eq. (3). Edge k
@@ -187,7 +187,7 @@ def last_crossing(x, y, w):  # step 8.9
     return edge, c[edge, np.arange(len(edge))]
 
 
-def blend_pairs(colour, pairs):  # exercise 8.13 (2 points)
+def blend_pairs(colour, pairs):  # exercise 8.9 (2 points)
     """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
@@ -228,7 +228,7 @@ def ends_backward(grad_x, grad_y, ends, clip, width, height):
     return grad_clip
 
 
-def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.14 (4 points)
+def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.11 (4 points)
                          epsilon=0.0):
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 

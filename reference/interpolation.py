@@ -38,7 +38,7 @@ def lerp(a, b, t):
     return (1 - t) * a + t * b
 
 
-def fraction_in_space(t, w_0, w_1):  # step 5.2
+def fraction_in_space(t, w_0, w_1):  # step 5.1
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
     t, w_0, w_1: numbers or arrays.
@@ -49,7 +49,7 @@ def fraction_in_space(t, w_0, w_1):  # step 5.2
     return t * w_0 / lerp(w_1, w_0, t)
 
 
-def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
+def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.2 (2 points)
     """Eq. (2): the attributes seen at fractions t (N,) of a segment on the screen -> (N, C).
 
     Its ends have the attributes a_0, a_1 (C,), and w_0, w_1, two numbers.
@@ -62,7 +62,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def barycentric_from_screen(e, w):  # step 5.5
+def barycentric_from_screen(e, w):  # step 5.3
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
@@ -107,14 +107,14 @@ def edge_functions_at(px, py, x, y):
     return np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
 
 
-def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
+def barycentrics(face_index, clip, faces):  # exercise 5.6 (3 points)
     """Eq. (3) for a picture: where on its face, in space, does each pixel lie?
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> barycentric (H, W, 3), 0 where no face is seen.
     `samples_on_faces` is given. Loop over it: it yields pixel (N,), the numbers of pixels row by
     row, px, py (N,), their centres, and x, y, w (3, N), their faces' corners. `edge_functions_at`,
     also given, makes e (3, N). Fill an array (H * W, 3) at [pixel], and reshape it at the end. Step
-    5.5 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
+    5.3 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics(np.array([[0, -1]]), clip, np.array([[0, 1, 2]]))
@@ -130,7 +130,7 @@ def barycentrics(face_index, clip, faces):  # exercise 5.7 (3 points)
     return barycentric.reshape(*face_index.shape, 3)
 
 
-def normalize_derivative(dc, b, s, axis=0):  # step 5.15
+def normalize_derivative(dc, b, s, axis=0):  # step 5.4
     """Eq. (4), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
     dc, b -> db. The three weights lie along the axis, and s broadcasts with them.
@@ -143,7 +143,7 @@ def normalize_derivative(dc, b, s, axis=0):  # step 5.15
     return (dc - b * ds) / s
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # step 5.6
+def normalize_backward(grad_b, b, s, axis=0):  # step 5.5
     """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
 
     The three weights lie along the axis, and s broadcasts with them.
@@ -159,7 +159,7 @@ def normalize_backward(grad_b, b, s, axis=0):  # step 5.6
     return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
 
 
-def interpolate_pixel(attributes, corners, b):  # step 5.8
+def interpolate_pixel(attributes, corners, b):  # step 5.7
     """Eq. (5) at one pixel, a gather: attributes (V, C) of the vertices -> A (C,).
 
     corners (3,): the vertices of the face that it sees, b (3,): its barycentric.
@@ -172,7 +172,7 @@ def interpolate_pixel(attributes, corners, b):  # step 5.8
 
 
 @has_faster("sparse_weights")
-def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2 points)
+def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), for all pixels at once: the picture (H, W, C) of attributes (V, C).
 
     faces (F, 3), face_index (H, W), barycentric (H, W, 3). It is 0 where no face is seen. The given
@@ -191,7 +191,7 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     return masked_scatter(mixed, seen)
 
 
-def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.13 (3 points)
+def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.9 (3 points)
     """Eq. (4) for a picture: how `barycentrics` changes by a pixel to the right, and one up.
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
@@ -229,7 +229,7 @@ def interpolate_derivatives(attributes, faces, face_index, derivatives):
     return np.stack([by_x, by_y], -1)
 
 
-def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.9
+def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.10
     """Eq. (7) at one pixel, a scatter: grad (C,) -> grad_attributes (V, C), grad_b (3,).
 
     The backward pass of `interpolate_pixel`. A vertex that is two of the corners gets both shares.
@@ -247,7 +247,7 @@ def interpolate_pixel_backward(grad, attributes, corners, b):  # step 5.9
 
 
 @has_faster("sparse_weights")
-def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (3 points)
+def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.11 (3 points)
                          barycentric):
     """Eq. (7), for all pixels at once: the backward pass of `interpolate`.
 

@@ -20,7 +20,7 @@ import numpy as np
 from course.given.arrays import scatter
 
 
-def squared_error(picture, target):  # exercise 9.2 (1 point)
+def squared_error(picture, target):  # exercise 9.1 (1 point)
     """Eq. (2): how far is a picture from its target, and how should each value change?
 
     picture, target: floats of one shape -> the loss, a number, and its gradient grad_picture.
@@ -33,7 +33,7 @@ def squared_error(picture, target):  # exercise 9.2 (1 point)
     return (difference**2).mean(), 2 * difference / difference.size
 
 
-def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
+def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.4 (3 points)
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
@@ -94,7 +94,7 @@ def decay(rate, factor, steps):
     return [rate * factor**(step / steps) for step in range(steps)]
 
 
-def quaternion_product(p, q):  # extra 9.4 (2 points)
+def quaternion_product(p, q):  # extra 9.9 (2 points)
     """The product p q of quaternions. It rotates first by q, then by p.
 
     p, q (..., 4), shapes that broadcast -> (..., 4). (w, x, y, z) stands for w + xi + yj + zk. The
@@ -111,7 +111,7 @@ def quaternion_product(p, q):  # extra 9.4 (2 points)
                      pw * qz + pz * qw + px * qy - py * qx], -1)
 
 
-def quaternion_matrix(q):  # exercise 9.5 (2 points)
+def quaternion_matrix(q):  # exercise 9.8 (2 points)
     """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
     q may have any length but 0. `quaternion_product` or `cross_matrix` will help.
@@ -126,7 +126,7 @@ def quaternion_matrix(q):  # exercise 9.5 (2 points)
     return matrix
 
 
-def quaternion_matrix_backward(grad_matrix, q):  # extra 9.6 (4 points)
+def quaternion_matrix_backward(grad_matrix, q):  # extra 9.10 (4 points)
     """Backward of `quaternion_matrix`: grad_matrix (4, 4) -> grad_q (4,).
 
     All four numbers of q are free. Its length makes no difference to the matrix, so grad_q is at
@@ -157,7 +157,7 @@ def cross_matrix(u):
                      [-y,  x,  0]])
 
 
-def rotation_angle(p, q):  # extra 9.7 (2 points)
+def rotation_angle(p, q):  # extra 9.11 (2 points)
     """By what angle, from 0 to pi, do two rotations differ? p, q (..., 4) of length 1 -> (...).
 
     It is the angle of the rotation from one to the other. q and -q stand for the same rotation.
@@ -175,7 +175,7 @@ def rotation_angle(p, q):  # extra 9.7 (2 points)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
-def silhouette_loss(coverage, target):  # exercise 9.8 (3 points)
+def silhouette_loss(coverage, target):  # exercise 9.5 (3 points)
     """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
 
     coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered -> the
@@ -196,7 +196,7 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (3 points)
     return 1 - both / either, grad_coverage
 
 
-def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
+def uniform_laplacian(positions, edges):  # extra 9.6 (2 points)
     """Eq. (5): how far is each vertex from the mean of its neighbours?
 
     positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
@@ -215,7 +215,7 @@ def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
-def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.11 (3 points)
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.7 (3 points)
     """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
 
     Eq. (5) is linear, so that only the shape of positions matters.

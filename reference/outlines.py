@@ -46,7 +46,7 @@ def all_silhouettes(clip, faces, opposite, width, height):
         return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
 
 
-def neighbours(face_index, depth):  # exercise 8.10 (2 points)
+def neighbours(face_index, depth):  # exercise 8.6 (2 points)
     """Which neighbouring pixels see different faces? -> owner, other (N,)
 
     face_index, depth (H, W). Neighbours lie beside or above each other. Of a pair, the pixel that
@@ -68,7 +68,7 @@ def neighbours(face_index, depth):  # exercise 8.10 (2 points)
     return owner, first + second - owner
 
 
-def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.11 (3 points)
+def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.7 (3 points)
     """By which edge does each pair's line leave a face, on the way from owner to other? -> Pairs
 
     owner, other, face (N,). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). In the
@@ -107,7 +107,7 @@ def is_dropped(c, owner, other):
     return (c == 0.5) & (owner < other)
 
 
-def steep_pairs(pairs):  # exercise 8.12 (1 point)
+def steep_pairs(pairs):  # exercise 8.8 (1 point)
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and

@@ -132,7 +132,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
 
 @has_kernels("compiled_pipeline")
-def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
+def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
          width, height, background):
     """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
@@ -156,7 +156,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points)
 
 
 @has_kernels("compiled_pipeline")
-def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
+def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 points)
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 

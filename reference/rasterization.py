@@ -59,7 +59,7 @@ def signed_area(triangle):
     return (x1 * y2 - x2 * y1) / 2
 
 
-def is_top_left(n_x, n_y):  # step 2.5
+def is_top_left(n_x, n_y):  # step 2.2
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
@@ -71,7 +71,7 @@ def is_top_left(n_x, n_y):  # step 2.5
     return (n_x > 0) | ((n_x == 0) & (n_y > 0))
 
 
-def screen_weights(p, triangle):  # step 2.7
+def screen_weights(p, triangle):  # step 2.3
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -84,7 +84,7 @@ def screen_weights(p, triangle):  # step 2.7
     return e / e.sum(-1, keepdims=True)
 
 
-def cover(p, triangle, z):  # exercise 2.6 (6 points)
+def cover(p, triangle, z):  # exercise 2.4 (6 points)
     """Eqs. (2) to (4): does a face cover the samples, and how deep is it there?
 
     p (..., 2): samples, a list (N, 2) or a block (h, w, 2), or none. triangle (3, 2): a face's
@@ -114,7 +114,7 @@ def cover(p, triangle, z):  # exercise 2.6 (6 points)
     return covered, depth
 
 
-def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
+def bounding_box(triangle, width, height):  # exercise 2.5 (2 points)
     """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
     triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. x0 is the first column j
@@ -155,7 +155,7 @@ def screen_points(clip, width, height):
     return x, y, w
 
 
-def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
+def cull_back_faces(x, y, w, faces):  # extra 2.7 (2 points)
     """The faces (F', 3) that turn their front to the camera, in their order.
 
     x, y, w (V,) of `screen_points`, faces (F, 3). A face in front of the camera shows its front if
@@ -172,7 +172,7 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
 
 
 @has_faster("scanline")
-def rasterize(clip, faces, width, height):  # exercise 2.13 (5 points)
+def rasterize(clip, faces, width, height):  # exercise 2.6 (5 points)
     """What each pixel sees: for each face, and all pixels of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
@@ -203,7 +203,7 @@ def rasterize(clip, faces, width, height):  # exercise 2.13 (5 points)
     return face_index, depth
 
 
-def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
+def cover_in_clip_space(p, corners):  # extra 2.8 (4 points)
     """Eq. (5) without a division: which samples does a face cover, also one behind the camera?
 
     p (..., 2): samples in ndc. corners (3, 4): a face in clip space, any w -> covered (...), border
@@ -223,7 +223,7 @@ def cover_in_clip_space(p, corners):  # extra 2.11 (4 points)
     return (weights >= 0).all(-1) & (np.abs(depth) <= 1), depth
 
 
-def edge_function_backward(grad_e, p, a, b):  # extra 2.2 (2 points)
+def edge_function_backward(grad_e, p, a, b):  # extra 2.9 (2 points)
     """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
 
     p, a, b (..., 2), all of one shape.

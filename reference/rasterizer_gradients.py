@@ -48,7 +48,7 @@ def faces_from_pixels(face_index, clip, faces):
         yield pixel, vertex, (X, Y), (clip_x.take(vertex) - X * w, clip_y.take(vertex) - Y * w, w)
 
 
-def edge_functions_at_backward(grad_e, x, y):  # step 7.11
+def edge_functions_at_backward(grad_e, x, y):  # step 7.7
     """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
 
     x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
@@ -73,7 +73,7 @@ def padded_sum(e, epsilon):
     return np.where(s == 0, np.inf, s)
 
 
-def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.12 (6 points)
+def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (6 points)
                           epsilon=0.0):
     """Backward of a whole picture's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 

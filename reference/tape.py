@@ -138,7 +138,7 @@ def gradients(result, wanted, grad=1.0):
     return [grads[x.place] for x in wanted]
 
 
-def summed_to(grad, shape):  # extra 9.14 (2 points)
+def summed_to(grad, shape):  # extra 9.12 (2 points)
     """Eq. (9), backward of broadcasting: grad, of the shape of the result -> grad of this shape.
 
     An array was copied along axes that it lacks, at the left, and along those where its size is 1.
@@ -152,7 +152,7 @@ def summed_to(grad, shape):  # extra 9.14 (2 points)
     return grad.sum(copied, keepdims=True)
 
 
-def multiply_backward(grad, a, b):  # extra 9.15 (1 point)
+def multiply_backward(grad, a, b):  # extra 9.13 (1 point)
     """Backward of a * b, whose shapes broadcast: grad -> grad_a, grad_b of their own shapes.
 
     >>> multiply_backward(np.array([1.0, 10.0]), np.array([2.0, 3.0]), np.array(5.0))
@@ -167,7 +167,7 @@ def add_backward(grad, a, b):
     return summed_to(grad, np.shape(a)), summed_to(grad, np.shape(b))
 
 
-def matmul_backward(grad, a, b):  # extra 9.16 (2 points)
+def matmul_backward(grad, a, b):  # extra 9.14 (2 points)
     """Backward of a @ b, a (N, K) and b (K, M), or b (K,): grad -> grad_a, grad_b.
 
     >>> a, b = np.array([[2.0, 3.0]]), np.array([[5.0], [7.0]])
@@ -179,7 +179,7 @@ def matmul_backward(grad, a, b):  # extra 9.16 (2 points)
     return (grad @ b.T if b.ndim > 1 else np.outer(grad, b)), a.T @ grad
 
 
-def take_backward(grad, a, index):  # extra 9.17 (1 point)
+def take_backward(grad, a, index):  # extra 9.15 (1 point)
     """Backward of a[index], a gather: grad, of the shape of a[index] -> grad_a, of that of a.
 
     index: an array of integers, of which some may be equal.
@@ -193,7 +193,7 @@ def take_backward(grad, a, index):  # extra 9.17 (1 point)
     return grad_a
 
 
-def replay(steps, values):  # extra 9.18 (2 points)
+def replay(steps, values):  # extra 9.16 (2 points)
     """Eq. (7), for all steps: the values of a tape whose given ones may have changed -> a tuple.
 
     values: one for each step. Where the step is None it is given, else it is an old one, or None.
@@ -209,7 +209,7 @@ def replay(steps, values):  # extra 9.18 (2 points)
     return tuple(found)
 
 
-def backward(steps, values, grad=1.0):  # extra 9.19 (4 points)
+def backward(steps, values, grad=1.0):  # extra 9.17 (4 points)
     """Eq. (8), for all steps: the gradient with respect to each value of a tape -> a tuple.
 
     grad: that of the last value. 0.0 stands where nothing comes. `BY_NAME[name]` has the field

@@ -31,7 +31,7 @@ def to_homogeneous(points):
     return np.concatenate([points, np.ones_like(points[..., :1])], -1)
 
 
-def transform(points, matrix):  # exercise 1.2 (1 point)
+def transform(points, matrix):  # exercise 1.1 (1 point)
     """Eq. (2), one matrix of it: where does it move the points?
 
     points (..., 4), matrix (4, 4) -> (..., 4).
@@ -42,7 +42,7 @@ def transform(points, matrix):  # exercise 1.2 (1 point)
     return points @ matrix.T
 
 
-def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
+def transform_backward(grad_output, points, matrix):  # exercise 1.10 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
     All points share the one matrix, so each adds to grad_matrix.
@@ -78,7 +78,7 @@ def scale(factors):
     return np.diag([*factors, 1.0])
 
 
-def rotate(axis, angle):  # extra 1.6 (2 points)
+def rotate(axis, angle):  # extra 1.2 (2 points)
     """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
     R is its upper left 3 x 3. n n^T is the outer product of n with itself.
@@ -97,7 +97,7 @@ def rotate(axis, angle):  # extra 1.6 (2 points)
     return matrix
 
 
-def look_at(eye, target, up):  # exercise 1.7 (3 points)
+def look_at(eye, target, up):  # exercise 1.3 (3 points)
     """Eq. (4): view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
     up (3,) points roughly upwards.
@@ -120,7 +120,7 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points)
     return rotation @ translate(-eye)
 
 
-def normal_matrix(matrix):  # extra 1.8 (2 points)
+def normal_matrix(matrix):  # extra 1.4 (2 points)
     """The matrix N (3, 3) that moves the normals of a surface whose points matrix (4, 4) moves.
 
     (N n) . (A v) = n . v for all n and v, where A is the upper left 3 x 3 of the matrix. So a
@@ -133,7 +133,7 @@ def normal_matrix(matrix):  # extra 1.8 (2 points)
     return np.linalg.inv(matrix[:3, :3]).T
 
 
-def pinhole(f):  # step 1.9
+def pinhole(f):  # step 1.5
     """The matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
 
     This is the textbook's camera. It looks down +z and keeps no depth. `perspective` mends both.
@@ -147,7 +147,7 @@ def pinhole(f):  # step 1.9
                      [0, 0, 1, 0.0]])
 
 
-def frustum_sides(fov_y, aspect, near):  # step 1.10
+def frustum_sides(fov_y, aspect, near):  # step 1.6
     """Eq. (5): l, r, b, t of the near plane, four numbers. fov_y is the angle from bottom to top.
 
     >>> np.round(frustum_sides(np.pi / 2, 2.0, 0.5), 3)
@@ -158,7 +158,7 @@ def frustum_sides(fov_y, aspect, near):  # step 1.10
     return -r, r, -t, t
 
 
-def perspective(fov_y, aspect, near, far):  # exercise 1.11 (3 points)
+def perspective(fov_y, aspect, near, far):  # exercise 1.7 (3 points)
     """Eqs. (5) and (6): clip_from_view (4, 4) of a camera that looks straight ahead.
 
     fov_y: the angle from bottom to top. near, far: distances. The two conditions of (6) say what
@@ -187,7 +187,7 @@ def frustum(l, r, b, t, near, far):
     return matrix
 
 
-def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
+def orthographic(l, r, b, t, near, far):  # extra 1.8 (2 points)
     """clip_from_view (4, 4) without perspective: the box l..r, b..t, z = -near..-far fills ndc.
 
     An object that is shallow beside its distance looks nearly as it does through `frustum`, if l,
@@ -202,7 +202,7 @@ def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
                      [0,           0,           0,                1]])
 
 
-def to_screen(clip, width, height):  # exercise 1.13 (2 points)
+def to_screen(clip, width, height):  # exercise 1.9 (2 points)
     """Eqs. (7) and (8): where on screen, and how deep, are points in clip space?
 
     clip (..., 4), w not 0 -> screen (..., 3): x and y in pixels, y up, and the depth, z of ndc.
@@ -217,7 +217,7 @@ def to_screen(clip, width, height):  # exercise 1.13 (2 points)
     return screen
 
 
-def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.14 (3 points)
+def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.11 (3 points)
     """Backward of `to_screen`: grad_screen (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
     Every outline finds its way back by it: `python3 -m course demo --impl labs fit_triangle`.

@@ -44,7 +44,7 @@ def residual(values, m, a, target):
     return values @ np.linalg.solve(m, a) - target
 
 
-def inverse_differential(m, dm):  # step 7.3
+def inverse_differential(m, dm):  # step 7.2
     """Eq. (3): how does the inverse of m change where m changes by dm?
 
     m, dm (3, 3) -> (3, 3). It follows from M^-1 M = I.
@@ -58,7 +58,7 @@ def inverse_differential(m, dm):  # step 7.3
     return -inverse @ dm @ inverse
 
 
-def residual_slope(values, m, a, i, j):  # step 7.4
+def residual_slope(values, m, a, i, j):  # step 7.3
     """df/dm_ij: the derivative of eq. (2) with respect to the element of m in row i, column j.
 
     values (3,), m (3, 3), a (3,) -> a number. Use eq. (3) with dM = e_i e_j^T, a single 1.
@@ -72,7 +72,7 @@ def residual_slope(values, m, a, i, j):  # step 7.4
     return values @ inverse_differential(m, dm) @ a
 
 
-def residual_backward(grad_f, values, m, a, target):  # step 7.5
+def residual_backward(grad_f, values, m, a, target):  # step 7.4
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.
 
@@ -95,7 +95,7 @@ def residual_backward(grad_f, values, m, a, target):  # step 7.5
     return grad_f * c, -np.outer(grad_a, c), grad_a, -grad_f
 
 
-def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.7 (5 points)
+def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.5 (5 points)
     """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
 
     triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
@@ -139,7 +139,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # step 7.9
+def barycentric_backward(grad_b, m, a):  # step 7.6
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.

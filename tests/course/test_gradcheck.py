@@ -328,7 +328,7 @@ def test_inputs_that_cannot_be_differentiated_are_refused(inputs, sentence):
 def test_an_exercise_that_is_not_started_says_so_itself():
     """Its NotImplementedError is hidden behind a mismatch."""
     def backward(g, a, b):
-        raise NotImplementedError("exercise 1.3: transform_backward")
+        raise NotImplementedError("exercise 1.10: transform_backward")
 
     with pytest.raises(NotImplementedError, match=r"exercise 1\.3"):
         gradcheck(product, backward, (A, B))

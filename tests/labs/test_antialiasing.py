@@ -256,7 +256,7 @@ FRAME = np.array([27, 27, 27, 27]), np.array([28, 26, 37, 17])  # row 2, column 
 COLUMN = np.array([2, 2]), np.array([3, 1])  # of a width of 1
 
 
-@exercise("8.5")
+@exercise("8.3")
 def test_the_frame_of_four_neighbours(impl):
     """The other's centre is not at x = 1 where it lies to the left or below, or not the owner's at
     0. Half a pixel is missing: the centre is not the corner. Rows and columns are swapped. Or x and
@@ -267,7 +267,7 @@ def test_the_frame_of_four_neighbours(impl):
     assert_close((x, y), ([[1.0] * 4, [0.0] * 4], np.zeros((2, 4))))
 
 
-@exercise("8.5")
+@exercise("8.3")
 def test_y_is_across_the_pair_and_never_mirrored(impl):
     """y is multiplied by s, too, and changes its sign with x: a rotation, a turn by 90 degrees, in
     place of the mirror and the swap."""
@@ -276,14 +276,14 @@ def test_y_is_across_the_pair_and_never_mirrored(impl):
     assert_close(got, ([[1.5, -1.5, 0.25, -0.25]], [[0.25, 0.25, 1.5, 1.5]]))
 
 
-@exercise("8.5")
+@exercise("8.3")
 def test_in_a_picture_of_one_column_neighbours_lie_above(impl):
     """A difference of 1 is taken for a neighbour in the row."""
     got = impl.pair_frame(np.full((1, 2), 0.75), np.full((1, 2), 4.0), *COLUMN, 1)
     assert_close(got, ([[1.5, -1.5]], [[0.25, 0.25]]))
 
 
-@exercise("8.5")
+@exercise("8.3")
 def test_many_points_for_each_pair(impl, rng):
     """Three points are taken for granted, or each pair gets all pairs' points."""
     owner, dx, dy = np.array([4, 7, 12, 16, 10]), [1, -1, 0, 0, 1], [0, 0, 1, -1, 0]
@@ -298,7 +298,7 @@ def test_many_points_for_each_pair(impl, rng):
 
 # --- the crossing ------------------------------------------------------------------------------
 
-@exercise("8.7")
+@exercise("8.4")
 def test_crossings_on_paper(impl):
     """The sign of the second term: + y0 for - y0. x0 is left out. The two ends are mixed up: x1
     goes with y0. The slope is upside down, dy / dx. x and y are swapped: the crossing with x = 0.
@@ -309,7 +309,7 @@ def test_crossings_on_paper(impl):
     assert_close(impl.crossing(x0, y0, x1, y1), expected)
 
 
-@exercise("8.7")
+@exercise("8.4")
 def test_a_vertical_edge_crosses_at_its_x(impl):
     """A division by x1 - x0, which is 0; or an end on y = 0 is not the crossing."""
     x0, y0 = np.array([0.25, 1.0]), np.array([-4.0, 0.0])
@@ -317,7 +317,7 @@ def test_a_vertical_edge_crosses_at_its_x(impl):
     assert_close(impl.crossing(x0, y0, x1, y1), [0.25, 1.0])
 
 
-@exercise("8.7")
+@exercise("8.4")
 def test_the_crossing_lies_on_the_line_and_on_the_axis(impl, rng):
     """The lecture's sign is lost in (x1 - x0) / (y1 - y0)."""
     x0, y0, x1, y1 = rng.normal(size=(4, 2, 30))
@@ -329,7 +329,7 @@ def crossing_of_lines(x0, y0, x1, y1):
     return (x0 * y1 - x1 * y0) / (y1 - y0)
 
 
-@exercise("8.7", fine_print=True)
+@exercise("8.4", fine_print=True)
 def test_an_end_near_infinity_costs_no_digits(impl):
     """Always measured from end 0, even where that is the far end: x0 - y0 (x1 - x0) / (y1 - y0) is
     then a difference of huge numbers, and digits are lost."""
@@ -339,7 +339,7 @@ def test_an_end_near_infinity_costs_no_digits(impl):
         assert_close(got, [0.25 + 2999999999.75 / 4000000001], rtol=1e-14)
 
 
-@exercise("8.7", fine_print=True)
+@exercise("8.4", fine_print=True)
 def test_the_nearer_end_is_found_on_either_side(impl):
     """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
     c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
@@ -349,7 +349,7 @@ def test_the_nearer_end_is_found_on_either_side(impl):
             assert_close(impl.crossing(*np.array([ends]).T), [c], rtol=1e-9, atol=1e-9)
 
 
-@exercise("8.8")
+@exercise("8.10")
 def test_the_gradient_of_a_crossing_on_paper(impl):
     """grad_y0, grad_y1: the quotient rule is left out, as if the denominator y1 - y0 were constant.
     A sign is wrong, in grad_y0, or in grad_x1 and grad_y1, where r becomes -r for the other end.
@@ -365,7 +365,7 @@ def test_the_gradient_of_a_crossing_on_paper(impl):
     assert_close(np.stack(impl.crossing_backward(*columns)), expected)
 
 
-@exercise("8.8")
+@exercise("8.10")
 def test_the_gradients_of_crossings_are_central_differences(impl, rng, gradcheck):
     """The edge's slope is taken as constant, or the sign of one of the four is wrong."""
     x0, x1 = rng.normal(size=(2, 3, 8))
@@ -381,13 +381,13 @@ def assert_ends_are_alike(impl, rng, *epsilon):
     assert_close(np.stack(swapped), np.stack([*one[2:], *one[:2]]))
 
 
-@exercise("8.8")
+@exercise("8.10")
 def test_the_two_ends_are_alike(impl, rng):
     """One end's gradient is another formula: exchanging the ends must exchange the gradients."""
     assert_ends_are_alike(impl, rng)
 
 
-@exercise("8.8", fine_print=True)
+@exercise("8.10", fine_print=True)
 def test_epsilon_makes_the_edge_longer(impl):
     """It is added to a negative length, or is ignored, or left out of c or of one of the four
     gradients."""
@@ -397,13 +397,13 @@ def test_epsilon_makes_the_edge_longer(impl):
         assert_close(impl.crossing_backward(*arguments, epsilon=4.0), tuple(expected))
 
 
-@exercise("8.8", fine_print=True)
+@exercise("8.10", fine_print=True)
 def test_with_epsilon_the_two_ends_are_still_alike(impl, rng):
     """The sign of one end decides: edges with both ends on one side of y = 0 become shorter."""
     assert_ends_are_alike(impl, rng, 0.25)
 
 
-@exercise("8.8")
+@exercise("8.10")
 def test_without_an_epsilon_there_is_none(impl):
     """Its default is not 0: the gradient is near, and never right."""
     got = impl.crossing_backward(1.0, 0.0, -0.001, 0.0, 0.001)
@@ -423,7 +423,7 @@ def assert_crossed(impl, corners, edge, c, w=None, **tolerance):
     assert_close(found_c, c, **tolerance)
 
 
-@exercise("8.9")
+@exercise("8.5")
 def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
     """The least c counts, of the edge by which the line enters, or the first edge that crosses.
     Edges that do not cross y = 0 count, or only those with 0 <= c <= 1. Edge k is numbered from
@@ -435,7 +435,7 @@ def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
     assert_crossed(impl, (x, y), [0, 1, 2, 2], [3.0, 6.0, 9.0, 4.0])
 
 
-@exercise("8.9")
+@exercise("8.5")
 def test_a_vertex_on_the_line_counts_as_above(impl):
     """> in place of >=: an edge that only touches the line crosses it, or one that ends there does
     not."""
@@ -448,14 +448,14 @@ def test_a_vertex_on_the_line_counts_as_above(impl):
     assert_crossed(impl, along, [1], [2.0])
 
 
-@exercise("8.9", fine_print=True)
+@exercise("8.5", fine_print=True)
 def test_of_equal_crossings_the_first_edge_is_taken(impl):
     """>= in place of >: two edges meet in a vertex on the line."""
     meeting = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
     assert_crossed(impl, meeting, [1], [1.0])
 
 
-@exercise("8.9", fine_print=True)
+@exercise("8.5", fine_print=True)
 def test_edges_along_the_line_are_not_divided_by(impl):
     """A division by zero, which gives NaN, or takes -0 for less than 0."""
     corners = np.stack([column((0.0, 1.0), (1.0, 1.0), (0.5, 1.0)),
@@ -465,7 +465,7 @@ def test_edges_along_the_line_are_not_divided_by(impl):
     assert_crossed(impl, corners, np.zeros(4, int), [-np.inf, 1.0, -np.inf, -np.inf])
 
 
-@exercise("8.9", fine_print=True)
+@exercise("8.5", fine_print=True)
 def test_an_edge_that_crosses_at_infinity_does_not_count(impl):
     """w is ignored. Or >= 0 stands for > 0: the two ends have the same y, one of them behind the
     camera."""
@@ -480,14 +480,14 @@ def assert_searched(impl, corners, **tolerance):
     assert_crossed(impl, (x / w, y / w), edge, np.array(c), w, **tolerance)
 
 
-@exercise("8.9", fine_print=True)
+@exercise("8.5", fine_print=True)
 def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
     """w is ignored: an end behind the camera is mirrored, so the part of the edge on screen lies
     elsewhere. Or crossings behind the camera count."""
     assert_searched(impl, rng.normal(size=(3, 3, 200)), rtol=1e-6, atol=1e-6)
 
 
-@exercise("8.9")
+@exercise("8.5")
 def test_last_crossings_are_those_of_a_search(impl, rng):
     """Columns are mixed up, or only crossings within the pair are looked at."""
     x, y = 3 * rng.normal(size=(2, 3, 60))
@@ -518,7 +518,7 @@ def assert_changes(impl, pairs, changes, **tolerance):
     assert_close(impl.blend_pairs(colours(), pairs_at(impl, *pairs)), expected, **tolerance)
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_the_owner_moves_towards_the_other(impl):
     """c is taken for alpha, or c - 1/2 or 1 - c: it is 1/2 - c. The owner moves away from the
     other, or the wrong one of the two moves, or both do. The change replaces the colour, to which
@@ -527,14 +527,14 @@ def test_the_owner_moves_towards_the_other(impl):
     assert_changes(impl, ([0, 2], [1, 5], [0.25, 0.0]), {(0, 0): (0.25, 6.0), (0, 2): (2.0, 1.0)})
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_where_alpha_is_negative_the_other_moves_towards_the_owner(impl):
     """Only the owner moves. The other moves away from the owner: the sign of alpha is lost."""
     # half of the way from (0, 0) to (6, 4), and 1/4 of the way from (1, 0) to (0, 8)
     assert_changes(impl, ([4, 0], [5, 1], [1.0, 0.75]), {(1, 2): (3.0, 2.0), (0, 1): (0.75, 2.0)})
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_pairs_may_point_to_any_side(impl):
     """The owner is taken for the left or lower pixel."""
     # half of the way from (4, 2) to (1, 0), and 1/4 of the way from (0, 8) to (2, 2)
@@ -542,7 +542,7 @@ def test_pairs_may_point_to_any_side(impl):
     assert_changes(impl, ([2, 3], [1, 0], [0.0, 0.75]), changes)
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_changes_of_one_pixel_add_up(impl):
     """A pixel in several pairs keeps one change alone, as += does, where np.add.at adds them all.
     Or a pair reads what another one has written."""
@@ -551,14 +551,14 @@ def test_changes_of_one_pixel_add_up(impl):
                                           4 + 0.5 * -4 + 0.25 * -2 + 0.125 * -4 - 0.125 * 4)})
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_without_weight_or_pairs_nothing_changes(impl):
     """An error without pairs, or alpha = 0 is taken for 1/2."""
     assert_changes(impl, ([], [], []), {})
     assert_changes(impl, ([1], [4], [0.5]), {})
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_the_sign_of_the_smallest_weight_decides(impl):
     """A threshold: a weight of little less than 0 changes the owner."""
     alpha = 2.0**-27  # c has it to the last bit
@@ -582,7 +582,7 @@ def blended(colour, owner, other, c):
     return output.reshape(colour.shape)
 
 
-@exercise("8.13")
+@exercise("8.9")
 def test_a_blend_is_the_sum_over_its_pairs(impl, rng):
     """Pictures that are not square, or of one channel."""
     for channels in 1, 3:
@@ -591,14 +591,14 @@ def test_a_blend_is_the_sum_over_its_pairs(impl, rng):
         assert_close(impl.blend_pairs(colour, pairs_at(impl, *pairs)), blended(colour, *pairs))
 
 
-@exercise("8.13", fine_print=True)
+@exercise("8.9", fine_print=True)
 def test_a_pixel_gives_away_at_most_half_of_its_colour(impl):
     """c is not clipped: outside of [0, 1] it counts as 0 or 1."""
     changes = {(0, 0): (0.5, 4.0), (1, 2): (3.0, 2.0)}
     assert_changes(impl, ([0, 4], [1, 5], [-0.06, 1.05]), changes)
 
 
-@exercise("8.13", fine_print=True)
+@exercise("8.9", fine_print=True)
 def test_colours_of_integers_are_blended_like_others(impl):
     """The output takes the colours' type, and what is added is cut to whole numbers."""
     output = impl.blend_pairs(np.array([[[0], [1]]]), pairs_at(impl, [0], [1], [0.25]))
@@ -612,7 +612,7 @@ def colours_backward(impl, grad_output, colour, owner, other, c):
     return impl.blend_pairs_backward(grad_output, colour, pairs, np.ones((3, 4)))[0]
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_the_gradients_of_colours_on_paper(impl):
     """grad_colour: the share of the other pixel is left out, a sign is wrong, or the pixel's own
     gradient is lost. The owner's gradient is always used, even where alpha < 0 and the other pixel
@@ -628,7 +628,7 @@ def test_the_gradients_of_colours_on_paper(impl):
     assert_close(got, expected)
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_a_pixel_in_several_pairs_gets_the_gradients_of_all(impl, rng, gradcheck):
     """A pixel in several pairs gets the gradient of one of them, as += does, where np.add.at adds
     them all. A pair reads what another one has changed."""
@@ -661,7 +661,7 @@ def ends_backward(impl, colour, grad_output, n, edge=EDGE, **options):
     return grad_clip[[2, 0], :2]
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_the_gradients_of_an_edge_s_ends_on_paper(impl):
     """dc/dalpha = -1 is left out. The difference of the colours has the wrong sign, or the channels
     are not summed. The ends are swapped. The quotient rule is left out of dc/dy."""
@@ -670,7 +670,7 @@ def test_the_gradients_of_an_edge_s_ends_on_paper(impl):
     assert_close(got, -36 * np.array(BY_ENDS))
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_where_alpha_is_negative_the_other_pixel_pulls(impl):
     """The owner's gradient is taken everywhere, or the sign of alpha changes that of its
     gradient. Or there is a threshold for alpha."""
@@ -679,7 +679,7 @@ def test_where_alpha_is_negative_the_other_pixel_pulls(impl):
     assert_close(np.array(grads)[..., 0], [[-150, -50], [-12, -4], [-150, -50]])
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_a_clamped_crossing_has_no_gradient(impl):
     """alpha is one half, wherever the edge is, where c is not between 0 and 1."""
     grads = [ends_backward(impl, [1, 3, 0, 0], [8, 100, 0, 0], 0, ((x, -1.0), (x, 3.0)))
@@ -687,7 +687,7 @@ def test_a_clamped_crossing_has_no_gradient(impl):
     assert_close(np.array(grads), np.zeros((4, 2, 2)))
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_gradients_turn_back_with_the_frame(impl):
     """The sign is lost where the other pixel lies to the left or below, or for pixels above each
     other it goes to the wrong one of x and y. Or x and y are not swapped back."""
@@ -699,7 +699,7 @@ def test_gradients_turn_back_with_the_frame(impl):
         assert_close(ends_backward(impl, colour, grad_output, n), expected, given=f"pair {n}")
 
 
-@exercise("8.14")
+@exercise("8.11")
 def test_all_gradients_are_central_differences(impl, rng, gradcheck):
     """Width and height are swapped, or an edge's ends. A vertex keeps the gradient of one of its
     edges. w has none."""
@@ -728,7 +728,7 @@ def test_all_gradients_are_central_differences(impl, rng, gradcheck):
               decisions=lambda colour, clip: edges(clip)[2] < 0.5)
 
 
-@exercise("8.14", fine_print=True)
+@exercise("8.11", fine_print=True)
 def test_at_zero_the_owner__s_side_counts(impl):
     """> in place of >=: at alpha = 0, the kink, the other pixel's side is taken and not the
     owner's."""
@@ -736,7 +736,7 @@ def test_at_zero_the_owner__s_side_counts(impl):
     assert_close(got[:, 0], [-12, -4])
 
 
-@exercise("8.14", fine_print=True)
+@exercise("8.11", fine_print=True)
 def test_a_pixel_gives_away_at_most_half_of_its_gradient(impl):
     """c is not clipped in the weights of the colours: outside of [0, 1] it counts as 0 or 1."""
     grad_output = np.arange(12.0).reshape(2, 3, 2)
@@ -745,7 +745,7 @@ def test_a_pixel_gives_away_at_most_half_of_its_gradient(impl):
     assert_close(grads[0], grads[1])
 
 
-@exercise("8.14", fine_print=True)
+@exercise("8.11", fine_print=True)
 def test_epsilon_reaches_the_crossing(impl):
     """It is ignored: c = (x0 y1 - x1 y0) r, r = 1 / (h + epsilon), keeps r finite."""
     got = ends_backward(impl, [0, 1, 0, 0], [8, 0, 0, 0], 0, ((0.25, -1.0), (0.25, 3.0)),

@@ -77,7 +77,7 @@ def by_uv(grad_weights):
 
 # --- along a segment ---------------------------------------------------------------------------
 
-@exercise("5.2")
+@exercise("5.1")
 def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
     """t comes back as it is: the perspective is left out. w_0 and w_1 are exchanged. A factor w_0,
     t or 1 - t is left out of the numerator or the denominator, or the division. Or it is measured
@@ -88,14 +88,14 @@ def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
     assert_close(got, [0.0, 0.1, 0.25, 0.5, 0.75, 1.0])
 
 
-@exercise("5.2")
+@exercise("5.1")
 def test_of_equal_w_nothing_is_corrected(impl):
     """A factor w too many."""
     t = np.linspace(0, 1, 7)
     assert_close(impl.fraction_in_space(t, 2.5, 2.5), t)
 
 
-@exercise("5.2")
+@exercise("5.1")
 def test_a_point_of_the_segment_is_found_again(impl, rng):
     """The point at fraction q in space, projected to the screen, is not found at q. Or w is taken
     to be positive: abs or a guard against a small w spoils it where both are negative.
@@ -109,7 +109,7 @@ def test_a_point_of_the_segment_is_found_again(impl, rng):
         assert_close(impl.fraction_in_space(t, sign * w[0], sign * w[1]), q, rtol=1e-6, atol=1e-8)
 
 
-@exercise("5.4")
+@exercise("5.2")
 def test_attributes_along_a_segment_on_paper(impl):
     """One division is missing: of a_0 and a_1 by their w, or of the sum by the interpolated 1/w.
     Or the attributes are linear on the screen, without perspective, or the ends are exchanged.
@@ -120,7 +120,7 @@ def test_attributes_along_a_segment_on_paper(impl):
     assert_close(impl.attribute_on_segment(t, a_0, a_1, 2.0, 6.0), expected)
 
 
-@exercise("5.4")
+@exercise("5.2")
 def test_equal_ends_stay_equal(impl, rng):
     """The sum of the weights is not 1: a colour that both ends have gets lighter between them."""
     a = rng.normal(size=4)
@@ -128,7 +128,7 @@ def test_equal_ends_stay_equal(impl, rng):
     assert_close(got, np.tile(a, (6, 1)))
 
 
-@exercise("5.4")
+@exercise("5.2")
 def test_an_attribute_is_what_stands_at_the_point_in_space(impl, rng):
     """The ends' w are swapped: the corrected attribute bends the wrong way."""
     q, x, w = rng.uniform(0, 1, 20), rng.uniform(-3, 3, 2), np.array([0.7, 4.1])
@@ -142,7 +142,7 @@ def test_an_attribute_is_what_stands_at_the_point_in_space(impl, rng):
 
 # --- corrected barycentrics --------------------------------------------------------------------
 
-@exercise("5.5")
+@exercise("5.3")
 def test_corrected_weights_on_paper(impl):
     """w multiplies instead of dividing, or is not used. The weights do not sum to 1, or e is
     divided by its sum before w divides it. The sum runs over several pixels: use axis=-1 and
@@ -154,7 +154,7 @@ def test_corrected_weights_on_paper(impl):
     assert_close(impl.barycentric_from_screen(e, w), expected)
 
 
-@exercise("5.5")
+@exercise("5.3")
 def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
     """e is taken to have the sum 1, or to be positive: abs, or a guard against a small sum as in
     np.maximum, spoils negative weights. Or the sum runs over several pixels.
@@ -183,7 +183,7 @@ def matrix_and_edges(rng, count):
     return m, sample, e, w
 
 
-@exercise("5.5")
+@exercise("5.3")
 def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
     """b is not M^-1 (x, y, 1) divided by its sum: the ray through the pixel meets another point."""
     m, sample, e, w = matrix_and_edges(rng, 60)
@@ -235,7 +235,7 @@ SOME = np.full((5, 8), -1)  # four pixels of a picture see the face
 SOME[[2, 4, 1, 0], [5, 2, 2, 6]] = 0
 
 
-@exercise("5.7")
+@exercise("5.6")
 def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
     """Nothing is divided by w: these are the picture's weights, without perspective. Or it is
     multiplied by w, or divided by another corner's. It is not divided by the sum s, or by that of e
@@ -248,7 +248,7 @@ def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
                  [[0.25, 0.625, 0.125], [0.5, 0.25, 0.25], [0.8, 0.16, 0.04], [0.4, 0.6, 0.0]])
 
 
-@exercise("5.7")
+@exercise("5.6")
 def test_a_pixel_sees_the_point_of_its_face_on_its_ray(impl, rng):
     """Pixels, faces or corners are mixed up, or the weights do not sum to 1."""
     face_index, clip, faces, seen = faces_in_sight(rng)
@@ -258,7 +258,7 @@ def test_a_pixel_sees_the_point_of_its_face_on_its_ray(impl, rng):
         assert_close([x / w, y / w, b[i, j].sum()], [(2 * j + 1) / 7 - 1, (2 * i + 1) / 5 - 1, 1.0])
 
 
-@exercise("5.7")
+@exercise("5.6")
 def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
     """-1 is used as an index, which puts the last face there; or the picture has another shape."""
     face_index, clip, faces, _ = faces_in_sight(rng)
@@ -268,7 +268,7 @@ def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
     assert_equal(b[face_index >= 0].any(-1).all(), True, given="some weight where a face is seen")
 
 
-@exercise("5.7", fine_print=True)
+@exercise("5.6", fine_print=True)
 def test_weights_are_right_behind_the_camera(impl, rng):
     """|w| divides, or weights are made positive."""
     face_index, clip, faces, seen = faces_in_sight(rng, (1, 1, -1))
@@ -277,7 +277,7 @@ def test_weights_are_right_behind_the_camera(impl, rng):
         assert_close(b[i, j], ray_weights(*corners, j + 0.5, i + 0.5), rtol=1e-6, atol=1e-9)
 
 
-@exercise("5.7", fine_print=True)
+@exercise("5.6", fine_print=True)
 def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
     """`edge_function` measures from a corner, and its rounding error is as large as the corner is
     far away. Measure from the sample, as the given `edge_functions_at` does.
@@ -296,7 +296,7 @@ def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
 
 # --- the quotient rule --------------------------------------------------------------------------
 
-@exercise("5.15")
+@exercise("5.4")
 def test_weights_change_by_the_quotient_rule_on_paper(impl):
     """The second term, - b ds, is missing (s as a constant), added instead of subtracted, without
     b, or ds is not the sum of dc. It is not divided by s, or by s^2, or multiplied by s.
@@ -306,7 +306,7 @@ def test_weights_change_by_the_quotient_rule_on_paper(impl):
     assert_close(db, [[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]])
 
 
-@exercise("5.15")
+@exercise("5.4")
 def test_a_change_of_any_size_counts_alike(impl):
     """A finite difference in the place of eq. (4), which is linear in dc: a large step leaves the
     tangent, and a small one is lost in rounding.
@@ -317,7 +317,7 @@ def test_a_change_of_any_size_counts_alike(impl):
         assert_close(db / size, [1.5, -1.0, -0.5])
 
 
-@exercise("5.15")
+@exercise("5.4")
 @pytest.mark.parametrize("axis", [0, -1])
 def test_the_change_is_that_of_b(impl, rng, axis):
     """The sum is taken over the samples, not over the three weights: axis says where these are. Or
@@ -339,7 +339,7 @@ SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
                       [5.0, 15.0, -15.0, 11.0]]) / SUMS
 
 
-@exercise("5.6")
+@exercise("5.5")
 def test_the_gradient_of_a_quotient_on_paper(impl):
     """s is taken for constant: the quotient rule's second term is left out, or added instead of
     subtracted. In it b is left out or stands outside of the sum, the sum is a mean, or the axis is
@@ -348,7 +348,7 @@ def test_the_gradient_of_a_quotient_on_paper(impl):
     assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
 
 
-@exercise("5.6")
+@exercise("5.5")
 def test_the_weights_may_lie_along_another_axis(impl):
     """The axis is ignored: the sum always runs over axis 0, over all numbers, or loses its axis,
     without keepdims=True.
@@ -368,7 +368,7 @@ def check_quotients(impl, gradcheck, n, axis, more):
     gradcheck(lambda n: n / total(n), backward, (n,), name="normalize")
 
 
-@exercise("5.6")
+@exercise("5.5")
 @pytest.mark.parametrize("axis", [0, -1])
 def test_the_gradients_of_quotients_are_central_differences(impl, rng, axis, gradcheck):
     """Sums run over the samples instead of the three weights."""
@@ -376,7 +376,7 @@ def test_the_gradients_of_quotients_are_central_differences(impl, rng, axis, gra
     check_quotients(impl, gradcheck, n, axis, more=0.0)
 
 
-@exercise("5.6", fine_print=True)
+@exercise("5.5", fine_print=True)
 def test_the_weights_need_not_sum_to_1(impl, rng, gradcheck):
     """b_0 + b_1 + b_2 is taken for 1."""
     check_quotients(impl, gradcheck, rng.uniform(0.5, 2, (3, 4)), 0, more=0.3)
@@ -387,7 +387,7 @@ def test_the_weights_need_not_sum_to_1(impl, rng, gradcheck):
 ONE = np.array([4, 2, 0]), np.array([0.7, 0.2, 0.1])  # the corners of pixel 0, 1 below, and b
 
 
-@exercise("5.8")
+@exercise("5.7")
 def test_a_pixel_mixes_its_three_corners(impl):
     """The corners are averaged, or the weights stand in reverse order. The first three attributes
     are mixed, whatever the corners are.
@@ -395,7 +395,7 @@ def test_a_pixel_mixes_its_three_corners(impl):
     assert_close(impl.interpolate_pixel(ATTRIBUTES, *ONE), [-2.8, 3.5])
 
 
-@exercise("5.8")
+@exercise("5.7")
 def test_a_pixel_has_as_many_attributes_as_the_vertices(impl, rng):
     """One channel, or three. Or weights are divided by their sum: they are used as they are."""
     for channels in 1, 4:
@@ -404,7 +404,7 @@ def test_a_pixel_has_as_many_attributes_as_the_vertices(impl, rng):
         assert_close(impl.interpolate_pixel(attributes, np.array([5, 1, 3]), b), expected)
 
 
-@exercise("5.9")
+@exercise("5.10")
 def test_a_pixel_gives_to_its_three_corners(impl):
     """The weights are left out of grad_attributes, or grad of grad_b. Gradients stand at the first
     three vertices, or there are three of them alone.
@@ -415,7 +415,7 @@ def test_a_pixel_gives_to_its_three_corners(impl):
     assert_close(got, (grad_attributes, [-200.0, 10.0, 50.0]))
 
 
-@exercise("5.9")
+@exercise("5.10")
 def test_a_corner_that_comes_twice_gets_both_shares(impl):
     """The second share overwrites the first, or `+=` with an array of indices adds once."""
     attributes = np.array([[3.0], [5.0]])
@@ -425,7 +425,7 @@ def test_a_corner_that_comes_twice_gets_both_shares(impl):
     assert_close(grad_b, [50.0, 30.0, 50.0])
 
 
-@exercise("5.9")
+@exercise("5.10")
 def test_the_gradients_of_a_pixel_are_central_differences(impl, rng, gradcheck):
     """The sum over the channels is a mean, or of the first channel alone."""
     corners = np.array([2, 0, 4])
@@ -452,7 +452,7 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
                          [[-48.0, 92.0, 68.0], [0.0, 0.0, 0.0], [-47.0, -26.0, -57.0]]])
 
 
-@exercise("5.11")
+@exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
     """A corner is left out, or the corners, or i and j, are in another order. Attributes are read
     at the number of the face, not at its vertices in faces. Face 0 is taken for none.
@@ -462,7 +462,7 @@ def test_a_picture_of_six_pixels(impl):
     assert_close(got[seen], PICTURE[seen])
 
 
-@exercise("5.11")
+@exercise("5.8")
 def test_an_empty_pixel_is_zero(impl):
     """-1 is taken for a face: NumPy counts it from the end, and draws the last one. Or where no
     pixel sees a face: an error, or another shape.
@@ -472,7 +472,7 @@ def test_an_empty_pixel_is_zero(impl):
     assert_picture(got, np.zeros((2, 3, 2)))
 
 
-@exercise("5.11")
+@exercise("5.8")
 @pytest.mark.parametrize("channels", [1, 3, 6])
 def test_any_number_of_attributes(impl, rng, channels):
     """Three channels only, or the weights are mixed with the channels. Or the weights are divided
@@ -482,7 +482,7 @@ def test_any_number_of_attributes(impl, rng, channels):
     assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
 
 
-@exercise("5.11")
+@exercise("5.8")
 @each_golden
 def test_attributes_are_those_of_nvdiffrast(impl, scene):
     """uv of their own faces, many attributes, slivers: within what 32 bits allow."""
@@ -491,7 +491,7 @@ def test_attributes_are_those_of_nvdiffrast(impl, scene):
     assert_picture(got, of["output"], of["given"], atol=2e-6)
 
 
-@exercise("5.12")
+@exercise("5.11")
 def test_the_weights__gradients_of_six_pixels(impl):
     """grad_output, or the sum over the channels, is left out, or the corners are in another order.
     A mean is subtracted, as if the weights had to sum to 1. -1 is used as an index.
@@ -500,7 +500,7 @@ def test_the_weights__gradients_of_six_pixels(impl):
     assert_close(got[1], GRAD_WEIGHTS)
 
 
-@exercise("5.12")
+@exercise("5.11")
 def test_the_attributes__gradients_of_six_pixels(impl):
     """A vertex that several pixels see keeps one gradient, or the mean: grad[vertex] += ... adds
     only once. The weights are left out. -1 is used as an index, of the last face.
@@ -509,14 +509,14 @@ def test_the_attributes__gradients_of_six_pixels(impl):
     assert_close(got[0], GRAD_ATTRIBUTES)
 
 
-@exercise("5.12")
+@exercise("5.11")
 def test_an_empty_pixel_pulls_at_nothing(impl):
     """The gradient at the background flows to the last face, as -1 is used as an index."""
     got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, np.full((2, 3), -1), WEIGHTS)
     assert_close(got, (np.zeros((6, 2)), np.zeros((2, 3, 3))))
 
 
-@exercise("5.12")
+@exercise("5.11")
 @pytest.mark.parametrize("channels", [1, 3, 6])
 def test_every_channel_adds_to_the_weights(impl, rng, channels):
     """grad_barycentric is the mean of the channels, or of the first channel alone."""
@@ -524,20 +524,20 @@ def test_every_channel_adds_to_the_weights(impl, rng, channels):
     assert_close(impl.interpolate_backward(*given)[1], unmixed(*given)[1])
 
 
-@exercise("5.12")
+@exercise("5.11")
 def test_every_pixel_adds_to_its_vertices(impl, rng):
     """A vertex keeps the gradient of one pixel alone, or the weights are left out."""
     given = rng.normal(size=(7, 5, 4)), *buffers(rng, 4)
     assert_close(impl.interpolate_backward(*given)[0], unmixed(*given)[0])
 
 
-@exercise("5.12")
+@exercise("5.11")
 def test_the_gradients_are_central_differences(impl, rng, gradcheck):
     """The attributes of another corner."""
     gradcheck(mixed, impl.interpolate_backward, buffers(rng, 4), name="interpolate")
 
 
-@exercise("5.12")
+@exercise("5.11")
 @each_golden
 def test_gradients_are_those_of_nvdiffrast(impl, scene):
     """Sums over many pixels, by u and v of the weights u, v, 1 - u - v."""
@@ -550,7 +550,7 @@ def test_gradients_are_those_of_nvdiffrast(impl, scene):
 
 # --- footprints --------------------------------------------------------------------------------
 
-@exercise("5.13")
+@exercise("5.9")
 def test_the_weights_change_by_the_quotient_rule(impl):
     """s is taken for constant, or de is not divided by w, or by the wrong one. x and y are
     exchanged, one of them has the wrong sign, or they are not the last axis.
@@ -561,7 +561,7 @@ def test_the_weights_change_by_the_quotient_rule(impl):
     assert_close(db[2, 5], np.array([[-56.0, -52.0], [52.0, 30.0], [4.0, 22.0]]) / 256)
 
 
-@exercise("5.13")
+@exercise("5.9")
 def test_the_changes_of_the_weights_sum_to_zero(impl, rng):
     """The sum of the weights is 1, everywhere. Or the term of s has the wrong sign, or no b."""
     face_index, clip, faces, _ = faces_in_sight(rng)
@@ -572,7 +572,7 @@ def test_the_changes_of_the_weights_sum_to_zero(impl, rng):
     assert (np.abs(db[face_index >= 0]).max((1, 2)) > 1e-3).all(), "all are 0"
 
 
-@exercise("5.13")
+@exercise("5.9")
 def test_the_derivatives_are_central_differences(impl, rng):
     """Right only without perspective, or for one face. The steps are not of a pixel, as for a
     derivative by ndc.
@@ -580,7 +580,7 @@ def test_the_derivatives_are_central_differences(impl, rng):
     check_differences(impl, *faces_in_sight(rng))
 
 
-@exercise("5.13", fine_print=True)
+@exercise("5.9", fine_print=True)
 def test_the_derivatives_are_right_behind_the_camera(impl, rng):
     """|w| divides."""
     check_differences(impl, *faces_in_sight(rng, (1, 1, -1)))

@@ -67,7 +67,7 @@ PICTURE = np.array([[[2.0, 0.0, 6.0, 0.0], [8.0, 6.5, 6.0, 8.0], [5.0, 15.0, -0.
 DIFFERENCE = np.array([[[1.0, -2.0, 3.0, -5.0], [4.0, 6.0, -1.0, 2.0], [-4.0, 7.0, -3.0, 8.0]]])
 
 
-@exercise("9.2")
+@exercise("9.1")
 def test_the_loss_is_the_mean_square_on_paper(impl):
     """It is the sum, or the mean is over pixels and the channels are summed, or a root is drawn.
     Differences are not squared, or only their size counts. The gradient comes first.
@@ -76,7 +76,7 @@ def test_the_loss_is_the_mean_square_on_paper(impl):
     assert_close(loss, 19.5)  # 234 / 12
 
 
-@exercise("9.2")
+@exercise("9.1")
 def test_every_difference_pulls_by_twice_its_share(impl):
     """The factor 2 is missing. The sign is wrong. The difference is still squared, or only its sign
     is left. It is not divided by the number of values, or by that of pixels without the channels.
@@ -85,7 +85,7 @@ def test_every_difference_pulls_by_twice_its_share(impl):
     assert_close(grad_picture, DIFFERENCE / 6)  # 2 / 12 values
 
 
-@exercise("9.2")
+@exercise("9.1")
 def test_the_gradient_of_the_error_is_central_differences(impl, rng, gradcheck):
     """It is divided by another number than that of all values: pixels times channels."""
     def forward(picture, target):
@@ -123,7 +123,7 @@ def three(returned):
     return outputs(returned, "x", "mean", "square")
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_the_new_mean_keeps_b1_of_the_old_one(impl):
     """Output 2 is m'. It is m^, already corrected, or the old m. b1 and 1 - b1 are exchanged, 1 -
     b1 is left out, or b1 and b2 are swapped. The constants that are given are not used. Outputs
@@ -133,7 +133,7 @@ def test_the_new_mean_keeps_b1_of_the_old_one(impl):
     assert_close(mean, NEW_MEAN)
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_the_new_square_keeps_b2_of_the_old_one(impl):
     """Output 3 is s'. g is not squared, or m is. It is s^, already corrected, or the old s. b2 and
     1 - b2 are exchanged, 1 - b2 is left out, or b1 and b2 are swapped.
@@ -142,7 +142,7 @@ def test_the_new_square_keeps_b2_of_the_old_one(impl):
     assert_close(square, NEW_SQUARE)
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_the_first_step_is_by_the_rate(impl):
     """Uphill: the minus is missing. The bias correction of m, of s or of both is missing: steps of
     0.1, 32 or 3.2 rates. Or it multiplies, or has b1 and b2 swapped. The root of s^, rate or x is
@@ -153,7 +153,7 @@ def test_the_first_step_is_by_the_rate(impl):
     assert_close(x, [[0.5, 2.5, 2.5, 4.5]], atol=1e-5)
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_a_later_step_is_corrected_by_its_number(impl):
     """The corrections are 1 - b^n: here n is left out, or multiplies b, or is one too small. Or g
     makes the step, not m^.
@@ -163,7 +163,7 @@ def test_a_later_step_is_corrected_by_its_number(impl):
     assert_close(x, STEP[0] - 0.5 * (16 / 7 * NEW_MEAN) / np.sqrt(NEW_SQUARE / 0.64))
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_epsilon_is_added_to_the_root(impl):
     """epsilon is under the root, is added before the correction of s, or is left out: then 0 is
     divided by 0.
@@ -173,7 +173,7 @@ def test_epsilon_is_added_to_the_root(impl):
     assert_close(x, [0.7, 7 / 6, 0.6, 1.0])  # by 0.5 g / (|g| + 2)
 
 
-@exercise("9.3")
+@exercise("9.4")
 def test_many_steps_are_sums_over_all_gradients(impl, rng):
     """The defaults are others than 0.9, 0.999 and 1e-8. What a step returns is no good for the next
     one.
@@ -189,7 +189,7 @@ def test_many_steps_are_sums_over_all_gradients(impl, rng):
 
 # --- rotations ---------------------------------------------------------------------------------
 
-@exercise("9.4")
+@exercise("9.9")
 def test_a_product_on_paper(impl):
     """The order of p and q is swapped, or the cross product has the other sign. The squares of i, j
     and k count as +1 in w. Elements are multiplied one by one. w is taken for the last number. A
@@ -200,7 +200,7 @@ def test_a_product_on_paper(impl):
     assert_close(got, [-60.0, 12.0, 30.0, 24.0])
 
 
-@exercise("9.4")
+@exercise("9.9")
 def test_the_table_of_products(impl):
     """A sign is wrong: i i = -1, i j = k, j i = -k. Or the order of p and q is swapped."""
     for row, p in zip(PRODUCTS, "1ijk", strict=True):
@@ -208,14 +208,14 @@ def test_the_table_of_products(impl):
             assert_close(impl.quaternion_product(unit(p), unit(q)), unit(product))
 
 
-@exercise("9.4")
+@exercise("9.9")
 def test_products_are_those_of_matrices(impl, rng):
     """It is right for 1, i, j and k alone. For others a term is missing or counts twice."""
     p, q = rng.normal(size=4), rng.normal(size=4)
     assert_close(as_complex(impl.quaternion_product(p, q)), as_complex(p) @ as_complex(q))
 
 
-@exercise("9.4")
+@exercise("9.9")
 def test_products_of_many(impl, rng):
     """It takes one pair alone: the four numbers are those along the first axis, or shapes do not
     broadcast.
@@ -233,7 +233,7 @@ def in_homogeneous(matrix):
     return whole
 
 
-@exercise("9.5")
+@exercise("9.8")
 def test_a_rotation_on_paper(impl):
     """It rotates the other way: the matrix is transposed. It is q v without q*. w is taken for the
     last number. The identity, K K (K * K is another), w or a factor 2 is missing. The last row and
@@ -244,7 +244,7 @@ def test_a_rotation_on_paper(impl):
     assert_close(got, in_homogeneous(rows))
 
 
-@exercise("9.5")
+@exercise("9.8")
 def test_a_q_of_another_length_is_the_same_rotation(impl):
     """q is not divided by its length. Or K and K K, or q v q*, are divided by |q|, not by |q|^2."""
     got = impl.quaternion_matrix(np.array([1.0, 2.0, 3.0, 4.0]))  # |q|^2 = 30
@@ -252,7 +252,7 @@ def test_a_q_of_another_length_is_the_same_rotation(impl):
     assert_close(got, in_homogeneous(rows))
 
 
-@exercise("9.5")
+@exercise("9.8")
 @pytest.mark.parametrize("axis, rows", [
     ("x", [[1, 0, 0], [0, 0, -1], [0, 1, 0]]), ("y", [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
     ("z", [[0, -1, 0], [1, 0, 0], [0, 0, 1]])], ids=["x", "y", "z"])
@@ -262,7 +262,7 @@ def test_a_quarter_turn_about_an_axis(impl, axis, rows):
     assert_close(impl.quaternion_matrix(q), in_homogeneous(rows))
 
 
-@exercise("9.5")
+@exercise("9.8")
 @pytest.mark.parametrize("length", [1.0, 0.01, 300.0, -1.0])
 def test_rotations_are_scipys_for_any_length(impl, rng, length):
     """q is taken to have length 1, or the matrix is scaled, too."""
@@ -271,14 +271,14 @@ def test_rotations_are_scipys_for_any_length(impl, rng, length):
     assert_close(got, in_homogeneous(rotation(q).as_matrix()))
 
 
-@exercise("9.5")
+@exercise("9.8")
 @pytest.mark.parametrize("w", [3.0, -1.0])
 def test_no_rotation_is_the_identity(impl, w):
     """The axis is divided by its length, which is 0 here: NaN."""
     assert_close(impl.quaternion_matrix(np.array([w, 0.0, 0.0, 0.0])), np.eye(4))
 
 
-@exercise("9.6")
+@exercise("9.10")
 def test_an_element__s_gradient_on_paper(impl):
     """|q|^2 is taken for a constant, or the division by the length is left out. grad_matrix is
     transposed. K K is derived like K times a constant. The gradient by w, or by x, y, z, is missing
@@ -291,7 +291,7 @@ def test_an_element__s_gradient_on_paper(impl):
     assert_close(got, [-62.0, 41.0, 24.0, -23.0])
 
 
-@exercise("9.6")
+@exercise("9.10")
 @pytest.mark.parametrize("w", [1.0, -2.0])
 def test_without_rotation_the_length_has_no_share(impl, w):
     """A factor w is missing or is one too many. x, y or z gets the gradient of another one."""
@@ -302,7 +302,7 @@ def test_without_rotation_the_length_has_no_share(impl, w):
     assert_close(got, np.array([0.0, 14.0, -6.0, 10.0]) / w)
 
 
-@exercise("9.6")
+@exercise("9.10")
 @pytest.mark.parametrize("length", [1.0, 0.1, 7.0])
 def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length, gradcheck):
     """It is right for length 1 alone: for others, a factor |q| or |q|^2 is missing."""
@@ -316,7 +316,7 @@ def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length, gr
               name="quaternion_matrix")
 
 
-@exercise("9.6")
+@exercise("9.10")
 def test_a_longer_q_is_the_same_rotation(impl, rng):
     """The gradient has a share along q. Or the last row and column, which are constant, have a
     share in it.
@@ -329,7 +329,7 @@ def test_a_longer_q_is_the_same_rotation(impl, rng):
     assert_close(impl.quaternion_matrix_backward(constant, q), got)
 
 
-@exercise("9.7")
+@exercise("9.11")
 def test_angles_on_paper(impl):
     """Half of the angle, or degrees. q and -q are taken for two rotations: the absolute value of
     p . q is missing. It is the angle of p q, without the conjugate. The arccos of a number above 1
@@ -344,7 +344,7 @@ def test_angles_on_paper(impl):
     assert_close(impl.rotation_angle(p, q), np.radians(degrees))
 
 
-@exercise("9.7")
+@exercise("9.11")
 def test_angles_are_scipys(impl, rng):
     """Only w is looked at, or only rotations from p or q to none. Or shapes do not broadcast."""
     p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(3, 4))
@@ -353,7 +353,7 @@ def test_angles_are_scipys(impl, rng):
     assert_close(impl.rotation_angle(p, q), np.array(expected))
 
 
-@exercise("9.7", fine_print=True)
+@exercise("9.11", fine_print=True)
 @pytest.mark.parametrize("angle", [0.05, 0.01, 0.003, 1e-5, 1e-9])
 def test_small_angles_keep_their_digits(impl, rng, angle):
     """An arccos loses the digits near 1: all angles under 1e-8 come out as 0. Or a series is broken
@@ -367,7 +367,7 @@ def test_small_angles_keep_their_digits(impl, rng, angle):
 
 # --- silhouettes -------------------------------------------------------------------------------
 
-@exercise("9.7", fine_print=True)
+@exercise("9.11", fine_print=True)
 @pytest.mark.parametrize("short", [1e-3, 1e-6])
 def test_angles_near_pi_keep_their_digits(impl, rng, short):
     """An arcsin loses the digits near 1, where its slope is infinite."""
@@ -382,7 +382,7 @@ def loss_of(impl, coverage, target):
     return two(impl.silhouette_loss(coverage, target))[0]
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_silhouettes_on_paper(impl):
     """It is the overlap, not 1 minus it. The union is c + t and counts the overlap twice, or not at
     all, or has a number added. It is the Dice loss, or a mean of the ratios of pixels or rows, not
@@ -393,7 +393,7 @@ def test_silhouettes_on_paper(impl):
     assert_close(loss_of(impl, coverage, target), 5 / 9)  # 1 - 2 / 4.5
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_the_loss_is_0_for_the_same_and_1_for_apart(impl):
     """Pixels that neither covers count. Or what is not 0 or 1 is the loss of silhouettes that are
     the same, or apart.
@@ -404,7 +404,7 @@ def test_the_loss_is_0_for_the_same_and_1_for_apart(impl):
     assert_close(loss_of(impl, here, there), 1.0)
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_pixels_covered_in_part_count_in_part(impl, rng):
     """The minimum and the maximum of c and t take the place of the product c t and of c + t - c t.
     Or coverage is rounded to 0 and 1.
@@ -415,7 +415,7 @@ def test_pixels_covered_in_part_count_in_part(impl, rng):
     assert_close(loss_of(impl, coverage, target), pixel_by_pixel(coverage, target))
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_sums_are_over_all_pixels_at_once(impl, rng):
     """It is the mean of the losses of rows, channels or views, not one ratio of sums."""
     share = np.array([0.1, 1.0])[:, None, None] * [[0.3], [1.0], [0.6]] * [1.0, 0.2, 0.5, 0.9]
@@ -423,7 +423,7 @@ def test_sums_are_over_all_pixels_at_once(impl, rng):
     assert_close(loss_of(impl, coverage, target), pixel_by_pixel(coverage, target))
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_silhouette_gradients_on_paper(impl):
     """The sign is the overlap's, or one in the quotient rule is wrong. U or A is taken for a
     constant, or is each pixel's. The union's derivative is 1 - t, not 1: c t is in it. It is
@@ -436,7 +436,7 @@ def test_silhouette_gradients_on_paper(impl):
     assert_close(-81 * grad_coverage, [[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]])
 
 
-@exercise("9.8")
+@exercise("9.5")
 def test_the_gradient_of_silhouettes_is_central_differences(impl, rng, gradcheck):
     """It is right where each pixel is covered or not, and wrong between. Or rows or channels have
     ratios of their own.
@@ -452,7 +452,7 @@ def test_the_gradient_of_silhouettes_is_central_differences(impl, rng, gradcheck
               (coverage, target), differentiable=[0], name="silhouette_loss")
 
 
-@exercise("9.8", fine_print=True)
+@exercise("9.5", fine_print=True)
 def test_two_empty_silhouettes_are_the_same(impl):
     """0 / 0: one view in which nothing is seen, and nothing should be, makes a fit's loss NaN, or
     ends the fit.
@@ -467,7 +467,7 @@ PAIRS = np.array([[0, 1], [2, 1], [2, 0], [3, 2], [1, 3]])  # of valence 2, 3, 3
 RHOMBUS = np.array([[6.0, 0.0], [0.0, 12.0], [3.0, 9.0], [12.0, 3.0]])
 
 
-@exercise("9.10")
+@exercise("9.6")
 def test_four_vertices_on_paper(impl):
     """The sign is wrong. The neighbours are summed, not averaged, or divided by another's valence.
     Edges count for one of their ends alone, in one direction. += counts a vertex that is named
@@ -477,7 +477,7 @@ def test_four_vertices_on_paper(impl):
     assert_close(impl.uniform_laplacian(RHOMBUS, PAIRS), expected)
 
 
-@exercise("9.10")
+@exercise("9.6")
 def test_a_vertex_without_edges_has_0(impl):
     """It keeps its position, as it is subtracted from no mean; or 0 is divided by 0."""
     positions = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
@@ -485,7 +485,7 @@ def test_a_vertex_without_edges_has_0(impl):
     assert_close(impl.uniform_laplacian(positions, np.array([[2, 0]])), expected)
 
 
-@exercise("9.10")
+@exercise("9.6")
 @pytest.mark.parametrize("channels", [1, 2, 5])
 def test_each_vertex_and_the_mean_of_its_neighbours(impl, rng, channels):
     """All are divided by one valence. The last row is left out where its vertex is in no edge. C is
@@ -499,7 +499,7 @@ def test_each_vertex_and_the_mean_of_its_neighbours(impl, rng, channels):
     assert_close(impl.uniform_laplacian(positions, EDGES), expected)
 
 
-@exercise("9.10")
+@exercise("9.6")
 def test_where_the_mesh_lies_makes_no_difference(impl, rng):
     """A vertex's own share is not 1: its weights and those of its neighbours do not cancel."""
     positions = rng.normal(size=(6, 3))
@@ -508,7 +508,7 @@ def test_where_the_mesh_lies_makes_no_difference(impl, rng):
     assert_close(impl.uniform_laplacian(moved, EDGES), averaging(6) @ positions, atol=1e-11)
 
 
-@exercise("9.11")
+@exercise("9.7")
 def test_four_vertices_backward_on_paper(impl):
     """It is the forward again, divided by the receiver's valence; the matrix must be transposed.
     Neighbours get the whole gradient. += counts a vertex that is named twice only once (see
@@ -519,7 +519,7 @@ def test_four_vertices_backward_on_paper(impl):
     assert_close(got, [[5.0, -7.0], [-10.0, 7.5], [-6.0, 3.5], [11.0, -4.0]])
 
 
-@exercise("9.11")
+@exercise("9.7")
 def test_a_vertex_without_edges_gets_0(impl):
     """It keeps its gradient, where d is 0 whatever its position; or 0 is divided by 0."""
     grad = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
@@ -527,7 +527,7 @@ def test_a_vertex_without_edges_gets_0(impl):
     assert_close(got, [[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
 
 
-@exercise("9.11")
+@exercise("9.7")
 @pytest.mark.parametrize("channels", [1, 2, 5])
 def test_it_is_the_transposed_matrix(impl, rng, channels):
     """It is right for a mesh whose vertices have one valence alone. The last row is left out where
@@ -538,7 +538,7 @@ def test_it_is_the_transposed_matrix(impl, rng, channels):
     assert_close(got, averaging(6).T @ grad)
 
 
-@exercise("9.11")
+@exercise("9.7")
 def test_the_gradient_of_the_laplacian_is_central_differences(impl, rng, gradcheck):
     """It is right for a regular mesh alone, whose matrix is symmetric."""
     matrix = averaging(6)

@@ -15,7 +15,7 @@ def entering(impl, corner):
     return as_pairs(impl, impl.enter_faces(*AROUND, np.array(corner), screen, faces, 4))
 
 
-@exercise("8.15")
+@exercise("8.12")
 def test_the_line_goes_out_between_the_corner_and_the_end_on_the_other_side(impl):
     """Between the corner and the end on its own side: no edge crosses the line there. Or it goes
     out where it came in."""
@@ -24,7 +24,7 @@ def test_the_line_goes_out_between_the_corner_and_the_end_on_the_other_side(impl
     assert_close(pairs.c, LEFT[1])
 
 
-@exercise("8.15")
+@exercise("8.12")
 def test_the_corner_s_number_names_its_face(impl):
     """Faces are numbered by their corners, or ends are corners 0 to 2, not vertices of the mesh."""
     pairs = entering(impl, [3, 5, 0, 1])
@@ -32,7 +32,7 @@ def test_the_corner_s_number_names_its_face(impl):
     assert_equal((pairs.owner, pairs.other), AROUND)
 
 
-@exercise("8.15")
+@exercise("8.12")
 def test_the_ends_of_an_edge_in_the_frame_of_its_pair(impl):
     """x and y are those of the screen, or of another pair."""
     pairs = entering(impl, [0, 2, 0, 1])
@@ -64,13 +64,13 @@ def assert_searched(impl, rng, w):
     assert_close(pairs.c, c)
 
 
-@exercise("8.15")
+@exercise("8.12")
 def test_steps_are_those_of_a_search(impl, rng):
     """Columns of different pairs are mixed up, or corners of the mesh with those of a face."""
     assert_searched(impl, rng, rng.uniform(0.5, 2, 15))
 
 
-@exercise("8.15", fine_print=True)
+@exercise("8.12", fine_print=True)
 def test_faces_that_reach_behind_the_camera_are_left_in_front_of_it(impl, rng):
     """w is not used: a corner behind the camera is mirrored. Or the crossing there counts, which is
     behind the other's centre: c is np.inf."""
@@ -78,7 +78,7 @@ def test_faces_that_reach_behind_the_camera_are_left_in_front_of_it(impl, rng):
         assert_searched(impl, rng, rng.uniform(0.5, 2, 15) * rng.choice([1, 1, -1], 15))
 
 
-@exercise("8.15", fine_print=True)
+@exercise("8.12", fine_print=True)
 def test_a_corner_on_the_line_counts_as_above(impl):
     """<= in place of <: a line through a corner goes back where it came from."""
     x, y = np.array([0.0, 0.0, 2.0, 4.0]), np.array([-1.0, 3.0, 0.5, 1.0])
@@ -175,7 +175,7 @@ def begun(owner, other, face, screen, faces, width):
 RIBBON = ribbon(-0.75, -0.25, 0.0, 0.75, 0.75, 1.75, 2.0)
 
 
-@exercise("8.16")
+@exercise("8.13")
 def test_a_walk_goes_on_to_a_silhouette(impl):
     """It stops after its first step, or takes one step alone. Or it goes over the silhouette."""
     screen, faces = RIBBON
@@ -187,7 +187,7 @@ def test_a_walk_goes_on_to_a_silhouette(impl):
         assert_close(pairs.c, [c])
 
 
-@exercise("8.16")
+@exercise("8.13")
 def test_a_walk_ends_at_the_other_s_centre(impl):
     """It goes on after c >= 1, to a silhouette far away, or over the border of the mesh."""
     opposite = opposite_of(RIBBON[1])
@@ -196,7 +196,7 @@ def test_a_walk_ends_at_the_other_s_centre(impl):
     assert_close(pairs.c, [1.25])
 
 
-@exercise("8.16")
+@exercise("8.13")
 def test_a_walk_ends_before_the_face_that_the_other_sees(impl):
     """It goes on over it, and what lies behind counts."""
     screen, faces = RIBBON
@@ -206,7 +206,7 @@ def test_a_walk_ends_before_the_face_that_the_other_sees(impl):
         assert_equal(walked(impl, *scene, goal).face, [goal - 1])
 
 
-@exercise("8.16")
+@exercise("8.13")
 def test_walks_are_those_of_a_search(impl, rng):
     """Walks of different lengths are mixed up: those that are over go on, or all stop with the
     first. Or the result is that of the first face."""
@@ -225,7 +225,7 @@ def test_walks_are_those_of_a_search(impl, rng):
         assert_close(pairs.c, np.array(expected).T[2])
 
 
-@exercise("8.16")
+@exercise("8.13")
 def test_all_that_belongs_to_the_edge_comes_along(impl, rng):
     """ends, x and y are still those of the first face, or owner and other change."""
     screen, faces = patch(rng)
@@ -239,7 +239,7 @@ def test_all_that_belongs_to_the_edge_comes_along(impl, rng):
         assert_close((pairs.x[:, n], pairs.y[:, n]), tuple((ends[:, :2] / ends[:, 2:]).T))
 
 
-@exercise("8.16", fine_print=True)
+@exercise("8.13", fine_print=True)
 def test_a_walk_that_no_edge_begins_is_over(impl):
     """A division by 0, an error, or a pair that is left out."""
     (x, y, w), faces = RIBBON
@@ -287,7 +287,7 @@ def beside(impl, clip, faces):
     return outlines_of(impl, *seen(clip, faces, (2, 1)), clip, faces, opposite_of(faces))
 
 
-@exercise("8.17")
+@exercise("8.14")
 def test_an_outline_before_the_background(impl):
     """Nothing is found, or owner and other are exchanged, or each pair counts."""
     clip = ndc([0.75, 0.75, -9.0], [-9.0, 9.0, 0.5], [0, 0, 0], (2, 1))
@@ -295,21 +295,21 @@ def test_an_outline_before_the_background(impl):
     assert_close(beside(impl, clip * [-1, 1, 1, 1], [[0, 1, 2]]), ([1], [0], [0.25]))
 
 
-@exercise("8.17")
+@exercise("8.14")
 def test_where_the_surface_goes_on_there_is_no_outline(impl):
     """An edge between two faces of one surface counts, or a walk that arrived does."""
     clip = ndc([-9, 1.0, 1.0, 9], [0.5, -9, 9, 0.5], [0, 0, 0, 0], (2, 1))
     assert_equal(beside(impl, clip, [[0, 1, 2], [2, 1, 3]])[0].shape, (0,))
 
 
-@exercise("8.17")
+@exercise("8.14")
 def test_an_outline_through_the_other_s_centre_counts(impl):
     """c < 1 for c <= 1: where it passes the centre, half of the pixel is covered."""
     clip = ndc([1.5, 1.5, -9.0], [9.0, -9.0, 0.5], [0, 0, 0], (2, 1))
     assert_close(beside(impl, clip, [[0, 1, 2]]), ([0], [1], [1.0]))
 
 
-@exercise("8.17")
+@exercise("8.14")
 def test_what_hides_the_owner_s_surface_walks_in_its_place(impl):
     """A slope is nearer at the left centre, and lies behind another face at the right one: the
     border of that face is the outline. Nobody looks for it, or the slope's own border counts."""
@@ -339,7 +339,7 @@ def expected_outlines(face_index, depth, clip, faces):
     return tuple(np.array(field) for field in zip(*sorted(found), strict=True))
 
 
-@exercise("8.17")
+@exercise("8.14")
 def test_faces_of_any_size_have_the_outlines_of_the_whole(impl, rng):
     """Cut into 16 faces each, the same triangles lose outlines: a walk stops too early."""
     for _ in range(2):
@@ -367,7 +367,7 @@ def pulled(impl, grad_picture, colour, ends, x, y, owner=0, other=1):
 TWO = np.array([[[10.0, 1.0], [100.0, 2.0]]]), np.array([[[1.0, 0.5], [0.0, 4.0]]])
 
 
-@exercise("8.18")
+@exercise("8.15")
 def test_the_point_pulls_at_the_ends_of_its_edge(impl):
     """Each end is pulled by half of it, or by the other one's share."""
     expected = (110 * 1 + 3 * -3.5) / 2 * np.array([[0.75, 0], [0.25, 0], [0, 0]])
@@ -375,7 +375,7 @@ def test_the_point_pulls_at_the_ends_of_its_edge(impl):
     assert_close(pulled(impl, *TWO, [[1], [0]], [[0.0], [1.0]], [[3.0], [-1.0]]), expected)
 
 
-@exercise("8.18")
+@exercise("8.15")
 def test_it_pulls_from_the_owner_to_the_other(impl):
     """The pull is always to the right or upwards, or x and y are swapped for pixels above each
     other."""
@@ -387,7 +387,7 @@ def test_it_pulls_from_the_owner_to_the_other(impl):
         assert_close(got, np.outer([0.5, 0.5, 0], way))
 
 
-@exercise("8.18")
+@exercise("8.15")
 def test_pulls_are_those_of_a_search(impl, rng):
     """Pulls of several pairs at one vertex do not add up, or w is left out on the way to clip."""
     (owner, other), (x, _), (low, high) = pairs_around(rng, 30), rng.normal(size=(2, 2, 30)), (
@@ -426,7 +426,7 @@ def around_a_triangle(impl, triangle, size):
         *found, strict=True)))
 
 
-@exercise("8.18")
+@exercise("8.15")
 def test_the_mean_over_shifts_is_the_gradient_of_the_area(impl, rng):
     """No factor 1/2, a share of steep outlines alone, or the owner's gradient alone. One picture's
     pull is off by some per cent, as the picture jumps; the mean over shifts is not."""

@@ -35,7 +35,7 @@ def assert_pixels(impl, picture, first, second):
     assert_equal((low[order], high[order]), (first, second))
 
 
-@exercise("8.10")
+@exercise("8.6")
 def test_neighbours_that_see_different_faces_are_pairs(impl):
     """Pairs with the background (-1, no face) are left out, pairs that see one face are not, or
     pixels above each other are. Rows and columns are swapped."""
@@ -43,20 +43,20 @@ def test_neighbours_that_see_different_faces_are_pairs(impl):
     assert_pixels(impl, [[2, 2], [2, 2]], [], [])
 
 
-@exercise("8.10")
+@exercise("8.6")
 def test_a_pair_does_not_go_over_the_end_of_a_row(impl):
     """Pixels are compared in a row that goes through the whole picture. No picture shows such
     pairs: they are found, and hardly ever blended."""
     assert_pixels(impl, [[0, 0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 1]], [2, 6, 10], [3, 7, 11])
 
 
-@exercise("8.10")
+@exercise("8.6")
 def test_the_nearer_face_owns_the_edge(impl):
     """The deeper one is the owner, or always the left or lower one."""
     assert_equal(pairs_of(impl, [[-1, 1, 0], [2, 1, -1]]), ([1, 2, 2, 3, 4, 4], [0, 1, 5, 0, 3, 5]))
 
 
-@exercise("8.10")
+@exercise("8.6")
 def test_neighbours_are_those_of_a_search(impl, rng):
     """Of the pairs to the right and above some are left out, or come twice."""
     face_index = rng.integers(-1, 4, (9, 7))
@@ -69,7 +69,7 @@ def test_neighbours_are_those_of_a_search(impl, rng):
     assert_equal((owner[order], other[order]), tuple(np.array(found).T))
 
 
-@exercise("8.10", fine_print=True)
+@exercise("8.6", fine_print=True)
 def test_of_equally_deep_pixels_the_second_is_the_owner(impl):
     """<= in place of <: the left or lower one is. Or what is nearly as deep counts as equally
     deep."""
@@ -89,7 +89,7 @@ def leaving(impl, face):
     return as_pairs(impl, pairs)
 
 
-@exercise("8.11")
+@exercise("8.7")
 def test_the_ends_of_an_edge_in_the_frame_of_its_pair(impl):
     """The other's centre is not at x = 1 where it lies to the left or below. Half a pixel is
     missing: the centre is not the corner. Rows and columns are swapped. y is mirrored with x, or x
@@ -98,7 +98,7 @@ def test_the_ends_of_an_edge_in_the_frame_of_its_pair(impl):
     assert_close((pairs.x, pairs.y), LEFT[2:])
 
 
-@exercise("8.11")
+@exercise("8.7")
 def test_the_line_leaves_by_the_last_edge_that_it_crosses(impl):
     """The first edge that crosses counts, or the least c. Edge k is numbered from corner k to
     k + 1; it lies opposite to corner k. ends are corners 0 to 2, not vertices of the mesh."""
@@ -130,20 +130,20 @@ def assert_searched(impl, rng, w):
                  expected[FIELDS.index(field)][..., crossed], given=field)
 
 
-@exercise("8.11")
+@exercise("8.7")
 def test_pairs_are_those_of_a_search(impl, rng):
     """Columns of different pairs are mixed up, or corners of the mesh with those of a face."""
     for _ in range(3):
         assert_searched(impl, rng, rng.uniform(0.5, 2, 15))
 
 
-@exercise("8.11", fine_print=True)
+@exercise("8.7", fine_print=True)
 def test_faces_that_reach_behind_the_camera_are_crossed_in_front_of_it(impl, rng):
     """w is not used: a corner behind the camera is mirrored. Or crossings behind it count."""
     assert_searched(impl, rng, rng.uniform(0.5, 2, 15) * rng.choice([1, 1, -1], 15))
 
 
-@exercise("8.11", fine_print=True)
+@exercise("8.7", fine_print=True)
 def test_a_face_that_no_edge_leaves_has_edge_0(impl):
     """A division by 0, an error, or a pair that is left out."""
     x, y = CORNERS.T
@@ -163,7 +163,7 @@ def is_blended(impl, ends):
     return np.isin(n, as_pairs(impl, impl.steep_pairs(pairs)).other)
 
 
-@exercise("8.12")
+@exercise("8.8")
 def test_an_edge_at_45_degrees_is_steep(impl):
     """> in place of >=, the two lengths are swapped, or none is looked at. Without abs, an edge
     that falls or leans to the left is judged by its sign."""
@@ -173,7 +173,7 @@ def test_an_edge_at_45_degrees_is_steep(impl):
         assert_equal(is_blended(impl, ends), [True, True, False, False, True, True, False])
 
 
-@exercise("8.12")
+@exercise("8.8")
 def test_the_crossing_lies_between_the_centres_or_less_than_the_window_outside(impl):
     """Edges beyond the pair blend. >= in place of >. The WINDOW of 1/16 is left out, or another
     one, or on one side only, or it makes the range of c smaller and not larger."""
@@ -182,7 +182,7 @@ def test_the_crossing_lies_between_the_centres_or_less_than_the_window_outside(i
     assert_equal(is_blended(impl, [(x, -1.0, x, 2.0) for x in c]), expected)
 
 
-@exercise("8.12")
+@exercise("8.8")
 def test_blended_pairs_are_those_of_a_search(impl, rng):
     """One of the conditions is left out. Or fields of other pairs come back."""
     x, y = rng.uniform(-1, 2, (2, 60)), rng.uniform([[-2], [0]], [[0], [2]], (2, 60))
@@ -195,7 +195,7 @@ def test_blended_pairs_are_those_of_a_search(impl, rng):
         assert_equal(got, given[..., kept], given=field)
 
 
-@exercise("8.12", fine_print=True)
+@exercise("8.8", fine_print=True)
 def test_half_of_the_pairs_without_weight_are_dropped(impl):
     """Where alpha = 0, nvdiffrast keeps the pairs that their second pixel owns, and no others."""
     x, y, n = np.full((2, 2), 0.5), np.array([[-1.0, -1.0], [1.0, 1.0]]), np.arange(2)

@@ -124,7 +124,7 @@ def by_pixel(pairs):
     return tuple(values[..., order] for values in (owner, other, c, ends, face, edge))
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_the_picture_comes_first_and_then_the_buffers(impl):
     """Width and height are swapped. The buffers come first and the picture second, or only the
     picture comes, without the buffers. They are those of `visible`, without the colour that `shade`
@@ -138,7 +138,7 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
     assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x2))")
 
 
-@exercise("9.12")
+@exercise("9.2")
 @pytest.mark.parametrize("end, row", [(1.75, [1.0, 0.75, 0.0, 0.0]), (2.25, [1.0, 1.0, 0.25, 0.0])],
                          ids=["1.75", "2.25"])
 def test_the_edge_of_a_bar_is_antialiased(impl, white, end, row):
@@ -149,7 +149,7 @@ def test_the_edge_of_a_bar_is_antialiased(impl, white, end, row):
     assert_picture(picture, np.tile(np.array(row)[:, None], (3, 1, 1)), atol=1e-9)
 
 
-@exercise("9.12")
+@exercise("9.2")
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, white, end):
     """The buffer colour is antialiased, too: the way back needs the colour of before. Or the
@@ -163,7 +163,7 @@ def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, white, end):
     assert_close(depth, np.where(seen, 0.25, np.inf))
 
 
-@exercise("9.12")
+@exercise("9.2")
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, white, end):
     """The pairs are left out of the buffers, as those of `shade` are returned. Or they are not the
@@ -190,7 +190,7 @@ def centres():
     return np.stack(np.broadcast_arrays(1.0, x, y[:, None]), -1)
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_inside_of_a_mesh_nothing_is_blended(impl):
     """Each edge is taken for an outline: opposite is not passed on to walked_pairs, or all -1."""
     colours = impl.Colours(QUAD_COLOURS)
@@ -198,7 +198,7 @@ def test_inside_of_a_mesh_nothing_is_blended(impl):
     assert_picture(picture, centres() @ SHADES, atol=1e-9)
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_a_triangle_is_that_of_a_search(impl, rng):
     """Perspective is left out, or the background is another one."""
     colours = rng.uniform(size=(3, 2))
@@ -206,7 +206,7 @@ def test_a_triangle_is_that_of_a_search(impl, rng):
     assert_picture(picture, by_hand(impl, CLIP, colours)[0], atol=1e-9)
 
 
-@exercise("9.12")
+@exercise("9.2")
 @pytest.mark.parametrize("number", [0, 1, 2, 3, 4],
                          ids=["clip", "face_index", "depth", "barycentric", "colour"])
 def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
@@ -215,7 +215,7 @@ def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
     assert_close(buffers[number], by_hand(impl, CLIP, COLOURS)[1][number])
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
     """They are all neighbours that see different faces, not those that are blended. Or an edge
     inside of a mesh has pairs: opposite is left out.
@@ -229,7 +229,7 @@ def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
     assert_equal(len(inside[0]), 0)
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
     """Colours are taken for granted: a texture is not drawn."""
     shade, uv = np.array([0.2, 0.9]), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
@@ -238,7 +238,7 @@ def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
     assert_picture(picture, by_hand(impl, CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
 
 
-@exercise("9.12")
+@exercise("9.2")
 def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
     """It is right for a single face alone, or for faces that do not hide each other."""
     golden = np.load(GOLDEN)
@@ -284,7 +284,7 @@ def buffers_of_bar(impl, end):
                         colour, pairs)
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
     """The results come in the other order, grad_clip first. grad_material is not the tuple that
     shade_backward returns first. Of grad_clip there are two, not their sum.
@@ -294,7 +294,7 @@ def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
     assert_equal(form(got), "((3x2), 3x4)")
 
 
-@exercise("9.13")
+@exercise("9.3")
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_moving_a_bar_changes_what_it_covers(impl, white, end):
     """grad_clip lacks the path through the edges: a face of one colour has no other gradient. Or it
@@ -308,7 +308,7 @@ def test_moving_a_bar_changes_what_it_covers(impl, white, end):
     assert_close(grad_clip, np.array([[15.0, 0.0, 0.0, -15 * x]] * 2 + [[0.0] * 4]))
 
 
-@exercise("9.13")
+@exercise("9.3")
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, white, end):
     """grad_picture goes on to shade_backward: it is grad_colour, after the blend."""
@@ -326,7 +326,7 @@ def slopes(values):
     return (np.linalg.inv(WALL[:, [0, 1, 3]])[:2] @ values).T
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
     """grad_clip lacks the path through the colours: that of rasterize_backward. No edge is seen
     here.
@@ -338,7 +338,7 @@ def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
     assert_close(grad_clip[:, :2], -pulls @ slopes(COLOURS))
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
     """Each edge is taken for an outline: not the pairs of the buffers are taken, but others, made
     with an opposite of all -1.
@@ -357,7 +357,7 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
     assert_close(grad_clip[:, :2], -pulls @ SHADES[1:].T)
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
     """grad_depth is left out, or is not passed on to rasterize_backward."""
     grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(impl, WALL, COLOURS)[1]
@@ -367,7 +367,7 @@ def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
     assert_close(grad_clip[:, :3], np.hstack([-pulls @ slopes(WALL[:, 2:3]), pulls]))
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl, gradcheck):
     """One of the two paths is left out, or counts twice. They meet where outlines cut colours.
     """
@@ -387,7 +387,7 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl, 
     gradcheck(forward, backward, (CLIP, COLOURS), decisions=decisions, name="draw")
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
     """A grad_depth of None, the default, is not allowed for, or counts as another one than 0."""
     grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(impl, CLIP, COLOURS)[1]
@@ -397,7 +397,7 @@ def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
     assert_close(grad_clip, expected)
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     """Colours are taken for granted: a texture has no way back."""
     ones, uv = np.ones((3, 2)), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
@@ -410,7 +410,7 @@ def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
 
 
-@exercise("9.13")
+@exercise("9.3")
 def test_a_larger_face_has_a_smaller_footprint(impl):
     """grad_derivatives is dropped on its way from shade_backward to rasterize_backward: the path
     through the footprint of a pixel on its texture.

@@ -86,7 +86,7 @@ def test_an_edge_is_exactly_zero_at_both_ends(impl, rng):
     assert_equal(np.array(ends), np.zeros((2, 2000)))
 
 
-@exercise("2.5")
+@exercise("2.2")
 def test_left_and_lower_edges_own_their_samples(impl):
     """Right for left (n points out), upper for lower (y is up here), n_x and n_y swapped, or n as
     the edge's direction. Horizontal edges are forgotten, all count (n_x >= 0), or slanted ones too.
@@ -101,7 +101,7 @@ def test_left_and_lower_edges_own_their_samples(impl):
     assert_equal(np.array([impl.is_top_left(sign * n_x, sign * n_y) for sign in (1, -1)]), owns)
 
 
-@exercise("2.5")
+@exercise("2.2")
 def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
     """>= in place of >: both faces own a vertical edge, or neither owns a horizontal one."""
     n_x, n_y = rng.integers(-2, 3, (2, 200)).astype(float)
@@ -114,7 +114,7 @@ WEIGHTS = np.array([[0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.125, 0.25, 0.625], 
                     [-1.0, 0.5, 1.5]])  # the last two are of points outside
 
 
-@exercise("2.7")
+@exercise("2.3")
 def test_weights_on_paper(impl):
     """The weights are exchanged or moved on: e_k is of the edge opposite to vertex k. They are not
     divided, or divided by A for 2A (so they sum to 2). Or they are made positive.
@@ -124,7 +124,7 @@ def test_weights_on_paper(impl):
     assert_close(impl.screen_weights(p, TRIANGLE), WEIGHTS)
 
 
-@exercise("2.7")
+@exercise("2.3")
 def test_a_clockwise_triangle_has_the_same_weights(impl):
     """The area's sign is lost (its absolute value divides): a clockwise triangle gets negative
     weights. It is of either winding.
@@ -133,7 +133,7 @@ def test_a_clockwise_triangle_has_the_same_weights(impl):
     assert_close(impl.screen_weights(p, TRIANGLE[::-1])[:, ::-1], WEIGHTS)
 
 
-@exercise("2.7")
+@exercise("2.3")
 def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
     """Right for points (N, 2) alone, or for large triangles: a tolerance is added to the area."""
     for size in 1.0, 1e-6:
@@ -150,7 +150,7 @@ def covered(impl, p, triangle):
     return impl.cover(p, triangle, np.zeros(3))[0]
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_samples_inside_are_covered(impl, rng):
     """Only two of the three edges are asked, or one of them is enough. Positive e are taken for
     outside, or only the sign of their product counts. The points are cut to whole numbers, as by a
@@ -160,7 +160,7 @@ def test_samples_inside_are_covered(impl, rng):
     assert_equal(covered(impl, p, TRIANGLE), exact_inside(p, TRIANGLE) & (np.arange(303) < 300))
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_depth_is_mixed_by_the_weights_of_the_screen(impl):
     """Weights and corners do not match, or it is one corner's z. The weights are not divided by
     their sum, or divided by the area for twice the area.
@@ -171,7 +171,7 @@ def test_depth_is_mixed_by_the_weights_of_the_screen(impl):
     assert_close(depth, WEIGHTS @ [-0.5, 0.25, 0.75])
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_near_and_far_cut_a_face(impl):
     """Depths beyond -1 or 1 are covered: they are not compared, or only one of the two is, or
     those of the corners are.
@@ -182,7 +182,7 @@ def test_near_and_far_cut_a_face(impl):
     assert_picture(seen, np.abs(depth) <= 1)
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_a_face_is_seen_from_behind_too(impl, rng):
     """Clockwise triangles cover nothing, because only positive e count as inside: the face is seen
     from both sides. Or its corners are turned round, but not their z: the depths keep the old
@@ -196,7 +196,7 @@ def test_a_face_is_seen_from_behind_too(impl, rng):
     assert_close(depth[inside], (np.column_stack([p, np.ones(300)]) @ plane)[inside])
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
     """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
     the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough. A
@@ -218,14 +218,14 @@ def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
                                         [0, 0, 0, 0, 0]], bool))
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_a_face_of_any_size_is_covered_alike(impl, rng):
     """An absolute tolerance decides what lies on an edge, or a small area counts as none."""
     p, small = rng.uniform(0, 8, (300, 2)), 2.0**-20  # exact, so that only a tolerance can tell
     assert_equal(covered(impl, small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
 
 
-@exercise("2.6")
+@exercise("2.4")
 def test_a_list_a_block_and_no_samples_at_all(impl):
     """Right for p (N, 2) alone: x is p[0] or p[:, 0] instead of p[..., 0], or a loop goes over the
     first axis. Or no samples give no array of booleans.
@@ -239,7 +239,7 @@ def test_a_list_a_block_and_no_samples_at_all(impl):
     assert_equal(none[0] & np.ones((7, 0), bool), np.ones((7, 0), bool))
 
 
-@exercise("2.6", fine_print=True)
+@exercise("2.4", fine_print=True)
 def test_a_flat_face_covers_nothing(impl):
     """A flat triangle owns the samples on it."""
     triangles = (np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]]),
@@ -248,7 +248,7 @@ def test_a_flat_face_covers_nothing(impl):
     assert_picture(np.hstack(found), np.zeros((9, 18), bool))
 
 
-@exercise("2.6", fine_print=True)
+@exercise("2.4", fine_print=True)
 def test_a_shared_edge_is_covered_once(impl, rng):
     """Two faces compute the same edge with different rounding: samples are lost or drawn twice."""
     for _ in range(60):
@@ -261,7 +261,7 @@ def test_a_shared_edge_is_covered_once(impl, rng):
         assert_equal(count, np.ones(100, int))
 
 
-@exercise("2.6", fine_print=True)
+@exercise("2.4", fine_print=True)
 def test_a_fan_covers_its_hub_once(impl, rng):
     """The hub of a fan is covered by no face or by several."""
     hub = np.array([4.5, 4.5])
@@ -272,7 +272,7 @@ def test_a_fan_covers_its_hub_once(impl, rng):
         assert_equal(sum(int(covered(impl, hub[None], face)[0]) for face in faces), 1)
 
 
-@exercise("2.6", fine_print=True)
+@exercise("2.4", fine_print=True)
 def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
     """< in place of <= where the depth is compared with -1 and 1 (near and far plane). Or z is the
     sum l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
@@ -284,7 +284,7 @@ def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
                  np.stack([np.full((11, 13), -1.0), np.ones((11, 13))]))
 
 
-@exercise("2.8")
+@exercise("2.5")
 def test_the_box_of_a_triangle_on_paper(impl):
     """x1 and y1 are the last pixel, not one past it (last column and row lost), or two past it. The
     centre's half pixel is forgotten or added. floor and ceil are exchanged. x and y are swapped, or
@@ -296,7 +296,7 @@ def test_the_box_of_a_triangle_on_paper(impl):
     assert_equal(np.array(boxes), [[1, 3, 4, 7], [7, 3, 10, 8], [2, 12, 5, 17]])
 
 
-@exercise("2.8")
+@exercise("2.5")
 def test_the_box_is_wider_by_the_margin(impl):
     """MARGIN is missing, on one side only, taken away, or added twice."""
     low, high = 1.5 + 1 / 256, 4.5 - 1 / 256  # the box ends at the centres 1.5 and 4.5
@@ -308,7 +308,7 @@ def test_the_box_is_wider_by_the_margin(impl):
     assert_equal(np.array(boxes), [[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4], [1, 1, 5, 5]])
 
 
-@exercise("2.8", fine_print=True)
+@exercise("2.5", fine_print=True)
 def test_a_centre_on_its_border_is_in_the_box(impl):
     """> in place of >=: a centre on the border is out."""
     low, high = 1.5 + 1 / 256, 4.5 - 1 / 256
@@ -316,7 +316,7 @@ def test_a_centre_on_its_border_is_in_the_box(impl):
     assert_equal(box, (1, 1, 5, 5))
 
 
-@exercise("2.8")
+@exercise("2.5")
 def test_the_box_stays_in_the_picture(impl):
     """The box is not cut to the picture (clipped), or to width - 1, or with width and height
     swapped.
@@ -326,7 +326,7 @@ def test_the_box_stays_in_the_picture(impl):
     assert_equal(impl.bounding_box(corners - [9.0, 8.0], 10, 20), (0, 0, 10, 20))
 
 
-@exercise("2.8", fine_print=True)
+@exercise("2.5", fine_print=True)
 def test_the_box_stays_in_the_picture_wherever_the_triangle_is(impl):
     """The box is cut only after it became integers, or -0.5 is cut to 0. Or what lies outside has a
     box in the picture, or one of negative numbers.
@@ -340,7 +340,7 @@ def test_the_box_stays_in_the_picture_wherever_the_triangle_is(impl):
         assert_equal((y1 <= y0 <= 10, 0 <= y1, x0, x1), (True, True, 2, 5))
 
 
-@exercise("2.8")
+@exercise("2.5")
 def test_no_covered_sample_lies_outside_the_box(impl, rng):
     """The box is rounded to whole numbers before the comparison: a column or row is missing."""
     p = centres(12, 10)
@@ -353,7 +353,7 @@ def test_no_covered_sample_lies_outside_the_box(impl, rng):
 
 # --- with perspective --------------------------------------------------------------------------
 
-@exercise("2.10")
+@exercise("2.7")
 def test_clockwise_faces_are_culled(impl):
     """Clockwise faces, those that turn their back, are kept instead of counter-clockwise ones. A
     mask or indices are returned, not faces. Or faces or their corners change their order.
@@ -363,7 +363,7 @@ def test_clockwise_faces_are_culled(impl):
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[[0, 2, 4]])
 
 
-@exercise("2.10")
+@exercise("2.7")
 def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
     """w is ignored: the winding on screen alone decides. Only one corner's w is looked at, or it is
     right for one vertex behind the camera but not for three. Or such faces are left out.
@@ -381,7 +381,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
         assert_equal(kept, faces[facing], given=f"corners scaled by {size}")
 
 
-@exercise("2.10", fine_print=True)
+@exercise("2.7", fine_print=True)
 def test_faces_without_area_are_culled(impl):
     """>= in place of >: faces without area are kept."""
     x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
@@ -389,7 +389,7 @@ def test_faces_without_area_are_culled(impl):
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
 
 
-@exercise("2.11")
+@exercise("2.8")
 def test_in_front_of_the_camera_it_is_the_same_face(impl, rng):
     """z is not that of the point with w = 1, but of a point on the face or of ndc. Clockwise faces
     are lost, or near and far are forgotten.
@@ -405,7 +405,7 @@ def test_in_front_of_the_camera_it_is_the_same_face(impl, rng):
         assert_equal(covered, exact_inside(p, TRIANGLE) & (np.abs(depth) <= 1))
 
 
-@exercise("2.11")
+@exercise("2.8")
 def test_a_sample_sees_what_lies_on_its_ray(impl, rng):
     """Something is divided by w, or by |w|: a corner behind the camera is mirrored, and one in the
     camera plane is nowhere.
@@ -423,7 +423,7 @@ def test_a_sample_sees_what_lies_on_its_ray(impl, rng):
 
 # --- pictures ----------------------------------------------------------------------------------
 
-@exercise("2.13")
+@exercise("2.6")
 def test_one_triangle_on_paper(impl):
     """Rows are upside down (row 0 is at the bottom). Rows and columns are swapped. Pixels are
     sampled at their corners, not at their centres. depth is not stored, or does not start as inf,
@@ -438,7 +438,7 @@ def test_one_triangle_on_paper(impl):
     assert_close(depth[~seen], np.full(7, np.inf))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_the_nearer_face_is_seen_whatever_the_order(impl):
     """No z-buffer: the last face wins, or the first one. The greatest depth is kept: the depth test
     is the wrong way round. depth is not updated with face_index. Depths below 0 are left out.
@@ -455,7 +455,7 @@ def test_the_nearer_face_is_seen_whatever_the_order(impl):
                  np.tile(np.where(seen, -0.5, np.inf), (3, 1, 1)))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_depth_is_linear_on_the_screen(impl):
     """z is not divided by w, or only after it was interpolated, or with perspective-correct
     weights: z/w of the corners is linear on the screen. Or weights and corners do not match, or
@@ -467,7 +467,7 @@ def test_depth_is_linear_on_the_screen(impl):
     assert_close(depth[0, :7], -1 + 1.8 * x[:7] / 8)  # from z/w = -1 at x = 0 to 0.8 at x = 8
 
 
-@exercise("2.13", fine_print=True)
+@exercise("2.6", fine_print=True)
 def test_of_equally_deep_faces_the_first_is_seen(impl):
     """The depth test is <= instead of <: of equally deep faces, the last one wins."""
     triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
@@ -476,7 +476,7 @@ def test_of_equally_deep_faces_the_first_is_seen(impl):
     assert_picture(face_index, np.where(face_index >= 0, 0, -1))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
     """Rows and columns of the box are swapped, or a small area counts as none."""
     x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
@@ -485,7 +485,7 @@ def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
     assert_picture(np.vstack(found), np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3] * 2))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
     """Samples on an edge are left out, or go to the face on the other side: the box loses its last
     column or row, or a corner's order changes.
@@ -500,7 +500,7 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
                                       [-1, -1, -1, -1, -1, -1, -1, -1]])
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_faces_out_of_the_picture_draw_nothing(impl):
     """A box without pixels ends with an error, or a negative one counts from the other end."""
     triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
@@ -511,7 +511,7 @@ def test_faces_out_of_the_picture_draw_nothing(impl):
     assert_picture(face_index, np.where(seen, 4, -1))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_a_heap_of_faces_is_seen_ray_by_ray(impl, rng):
     """Whatever goes wrong only where several faces meet, cross, or reach out of the picture: each
     pixel sees the nearest face on its ray.
@@ -528,7 +528,7 @@ def test_a_heap_of_faces_is_seen_ray_by_ray(impl, rng):
     assert_picture(face_index, np.where(np.isfinite(found.min(0)), found.argmin(0), -1))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
     """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
     clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
@@ -540,7 +540,7 @@ def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
         assert_close(10 * depth, np.tile(ndc_x, (height, 1)), atol=1e-8)
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_near_and_far_cut_a_face_in_its_middle(impl):
     """Depths beyond -1 or 1 are drawn, where the face crosses the near or the far plane: they are
     not compared, or only those of its corners.
@@ -550,7 +550,7 @@ def test_near_and_far_cut_a_face_in_its_middle(impl):
     assert_picture(face_index >= 0, np.tile(np.abs(np.arange(8) - 3.5) < 2, (2, 1)))
 
 
-@exercise("2.13")
+@exercise("2.6")
 def test_clip_space_has_no_unit(impl):
     """A small w is taken for 0: faces far smaller than one are lost, although nothing changed."""
     clip = 1e-13 * np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
@@ -561,7 +561,7 @@ def test_clip_space_has_no_unit(impl):
 
 # --- the way back -------------------------------------------------------------------------------
 
-@exercise("2.2")
+@exercise("2.9")
 def test_the_gradients_of_two_edges_on_paper(impl):
     """A sign, x and y exchanged, a side that is not turned, or another order than p, a, b. n taken
     for a constant in grad_a or grad_b: the normal depends on both ends. grad_e is ignored.
@@ -574,7 +574,7 @@ def test_the_gradients_of_two_edges_on_paper(impl):
                                        [[30.0, 20.0], [8.0, 6.0]]])
 
 
-@exercise("2.2")
+@exercise("2.9")
 def test_the_gradients_of_edges_are_central_differences(impl, rng, gradcheck):
     """grad_e is ignored or summed up before it reaches the points."""
     def forward(p, a, b):

@@ -6,7 +6,7 @@ from labkit.checks import assert_close, exercise
 
 # --- whole meshes ------------------------------------------------------------------------------
 
-@exercise("7.11")
+@exercise("7.7")
 def test_six_gradients_of_two_pixels_on_paper(impl):
     """A corner has the gradient of one of its two edges alone, as by = in place of +=. A sign: that
     of one of the two terms of e_k, or of all. x and y are exchanged, or grad_x and grad_y. Edge k
@@ -21,7 +21,7 @@ def test_six_gradients_of_two_pixels_on_paper(impl):
     assert_close(impl.edge_functions_at_backward(grad_e, x, y), expected)
 
 
-@exercise("7.11")
+@exercise("7.7")
 def test_each_edge_alone_on_paper(impl):
     """An edge is that of other corners, or of one of its two only; a flipped sign. Or a pixel gets
     what is another's.
@@ -34,7 +34,7 @@ def test_each_edge_alone_on_paper(impl):
     assert_close(impl.edge_functions_at_backward(np.diag([1.0, 2.0, -3.0]), x, y), expected)
 
 
-@exercise("7.11")
+@exercise("7.7")
 @pytest.mark.parametrize("count", [1, 5])
 def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, count, gradcheck):
     """A corner gets the gradient of one of its two edges alone, or another pixel's. Or it is right
@@ -70,7 +70,7 @@ def solved(seen, clip):
     return np.linalg.solve(m, a[..., None])[..., 0]
 
 
-@exercise("7.12")
+@exercise("7.8")
 def test_the_middle_pixel_pulls_at_its_corners_on_paper(impl):
     """A sign, or x and y exchanged. Edge k is not across from corner k, or a corner gets the
     gradient of one of its two edges alone. It is not divided by s, or twice. z gets a gradient.
@@ -80,14 +80,14 @@ def test_the_middle_pixel_pulls_at_its_corners_on_paper(impl):
     assert_close(impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE), PULLED)
 
 
-@exercise("7.12")
+@exercise("7.8")
 def test_what_all_three_weights_gain_changes_nothing(impl):
     """The share of the sum s is left out: b sums to 1 wherever the corners are. Or its sign."""
     grad_b = np.array([[[32.0, 40.0, 14.0]]])  # 24 more for each
     assert_close(impl.barycentrics_backward(grad_b, np.zeros((1, 1), int), CORNERS, FACE), PULLED)
 
 
-@exercise("7.12")
+@exercise("7.8")
 def test_a_clockwise_face_is_pulled_alike(impl):
     """The sign of s is lost, or c stands for b."""
     grad_b = np.array([[[14.0, 40.0, 32.0]]])  # corner 2 comes first
@@ -95,7 +95,7 @@ def test_a_clockwise_face_is_pulled_alike(impl):
     assert_close(got, PULLED)
 
 
-@exercise("7.12")
+@exercise("7.8")
 def test_w_gets_a_share_of_x_and_of_y(impl):
     """w is taken for a constant, or only x - X w is remembered, or only y - Y w. The sign, or X and
     Y exchanged. A vertex's w moves its corner by -X and -Y.
@@ -108,7 +108,7 @@ def test_w_gets_a_share_of_x_and_of_y(impl):
     assert_close(grad_w, -grad_x / 4 - grad_y / 2)
 
 
-@exercise("7.12")
+@exercise("7.8")
 def test_a_vertex_sums_what_all_its_pixels_say(impl, rng):
     """A pixel overwrites what another one said, as by = or by grad[vertex] += for np.add.at."""
     grad_b, seen, pixels = rng.normal(size=(2, 5, 3)), SEEN.reshape(2, 5), np.arange(10)
@@ -119,7 +119,7 @@ def test_a_vertex_sums_what_all_its_pixels_say(impl, rng):
     assert_close(together, np.sum(alone, 0), atol=1e-9)
 
 
-@exercise("7.12")
+@exercise("7.8")
 @pytest.mark.parametrize("height, width", [(2, 5), (5, 2)])
 def test_the_gradients_of_pictures_are_central_differences(impl, height, width, gradcheck):
     """Rows and columns are exchanged, or grad_b is another pixel's. Right for one face, or for
@@ -139,7 +139,7 @@ def test_the_gradients_of_pictures_are_central_differences(impl, height, width, 
     gradcheck(forward, backward, (CLIP,), name="barycentrics")
 
 
-@exercise("7.12")
+@exercise("7.8")
 @pytest.mark.parametrize("winding", [1, -1])
 def test_epsilon_makes_the_divisor_larger(impl, winding):
     """epsilon is left out of b = e / d or of 1 / d, or it makes a negative sum smaller."""

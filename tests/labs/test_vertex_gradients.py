@@ -60,7 +60,7 @@ def test_the_determinant_is_twice_the_area(impl, rng):
     assert_close(np.linalg.det(impl.vertex_matrix(triangle)), a * b)
 
 
-@exercise("7.3")
+@exercise("7.2")
 def test_nine_changes_on_paper(impl):
     """One M^-1 is left out, or both stand on one side, or M stands there. A factor is transposed. A
     sign is wrong. The products are elementwise (* for @). It is a finite step, inv(m + dm) -
@@ -72,7 +72,7 @@ def test_nine_changes_on_paper(impl):
     assert_close(impl.inverse_differential(m, dm), expected)
 
 
-@exercise("7.3")
+@exercise("7.2")
 @each_matrix
 def test_the_product_with_m_stays_one(impl, m, rng):
     """d(M^-1) M + M^-1 dM = 0 fails where M and dM do not commute."""
@@ -88,14 +88,14 @@ def slopes(impl, values, m, a):
     return found
 
 
-@exercise("7.4")
+@exercise("7.3")
 def test_nine_slopes_on_paper(impl):
     """i and j are swapped, one M^-1 is left out, or dM stands for the change of the inverse. Or the
     sign: moving a vertex right brings colour from its left."""
     assert_close(slopes(impl, VALUES, PAPER, A), BY_M)  # df/da = (-2, -2.5, 8)
 
 
-@exercise("7.4")
+@exercise("7.3")
 @each_matrix
 def test_slopes_are_central_differences(impl, m, rng, gradcheck):
     """Right for the paper's triangle alone, whose last row is ones."""
@@ -104,7 +104,7 @@ def test_slopes_are_central_differences(impl, m, rng, gradcheck):
               lambda grad, m: grad * slopes(impl, values, m, PIXEL), (m,), name="residual_slope")
 
 
-@exercise("7.5")
+@exercise("7.4")
 def test_the_gradients_on_paper(impl):
     """grad_values is not c, M^-1 a. grad_a: M^-1 r in place of M^-T r. grad_m: transposed, the sign
     of the picture's slope, r or a in place of grad_a or c. Or its last row is 0: the 1s are no
@@ -113,7 +113,7 @@ def test_the_gradients_on_paper(impl):
     assert_close(got, ([0.375, 0.5, 0.125], BY_M, [-2.0, -2.5, 8.0], -1.0))
 
 
-@exercise("7.5")
+@exercise("7.4")
 def test_every_gradient_is_as_large_as_grad_f(impl):
     """grad_f is left out of grad_values, grad_m, grad_a or grad_target, or counted twice there.
     All four are multiplied by it once."""
@@ -121,7 +121,7 @@ def test_every_gradient_is_as_large_as_grad_f(impl):
     assert_close(got, ([1.875, 2.5, 0.625], 5 * BY_M, [-10.0, -12.5, 40.0], -5.0))
 
 
-@exercise("7.5")
+@exercise("7.4")
 @each_matrix
 def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng, gradcheck):
     """Right for the paper's triangle alone."""
@@ -151,7 +151,7 @@ def columns(triangle, colours):
     return np.stack(found, -1)
 
 
-@exercise("7.7")
+@exercise("7.5")
 @pytest.mark.parametrize("winding", [1, -1])
 def test_a_triangle_beside_its_place_gets_there_in_one_step(impl, winding):
     """The step goes uphill: a sign, of the residuals or of eq. (4). M^-1 r in place of M^-T r, or M
@@ -164,7 +164,7 @@ def test_a_triangle_beside_its_place_gets_there_in_one_step(impl, winding):
     assert_close(got, ([shift] * 3, np.zeros((3, 2))), atol=1e-9)
 
 
-@exercise("7.7")
+@exercise("7.5")
 def test_no_other_step_leaves_smaller_squares(impl, rng):
     """Only as many residuals as unknowns are looked at, or one channel. It is a step along the
     gradient, -J^T r, without the inverse of J^T J, or it is damped, or too long or too short.
@@ -176,7 +176,7 @@ def test_no_other_step_leaves_smaller_squares(impl, rng):
     assert_close(jacobian.T @ left, np.zeros(6), atol=1e-9)
 
 
-@exercise("7.7")
+@exercise("7.5")
 def test_six_steps_find_a_triangle(impl):
     """Right near the target alone. With a mistake in the derivatives it comes nearer by a factor
     in each step, and does not double its digits.
@@ -188,7 +188,7 @@ def test_six_steps_find_a_triangle(impl):
     assert_close(triangle, LEANING, atol=1e-9)
 
 
-@exercise("7.7")
+@exercise("7.5")
 def test_colours_are_found_in_one_step(impl):
     """The colours' columns are those of another channel or vertex, or the values stand in them. Or
     a sign. In a picture of one colour the vertices' columns are 0, and J^T J has no inverse.
@@ -198,7 +198,7 @@ def test_colours_are_found_in_one_step(impl):
     assert_close(got, (np.zeros((3, 2)), GREEN - flat), atol=1e-9)
 
 
-@exercise("7.7")
+@exercise("7.5")
 @pytest.mark.parametrize("channels", [1, 3])
 def test_of_the_best_steps_it_is_the_shortest(impl, rng, channels):
     """Vertices and colours are solved for one after the other, not at once. Or an error where
@@ -213,7 +213,7 @@ def test_of_the_best_steps_it_is_the_shortest(impl, rng, channels):
 
 # --- in perspective ----------------------------------------------------------------------------
 
-@exercise("7.9")
+@exercise("7.6")
 def test_the_gradients_of_weights_on_paper(impl):
     """grad_c: the share of the sum s, grad_b . b, is left out, has the wrong sign or takes c for b,
     or the division by s is missing. The inverse is not transposed. grad_m: the sign, a
@@ -224,7 +224,7 @@ def test_the_gradients_of_weights_on_paper(impl):
     assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 
-@exercise("7.9")
+@exercise("7.6")
 def test_the_sum_of_c_may_be_negative(impl):
     """s is counted once too often or too rarely, or its sign is lost, as by abs."""
     grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-12.0, 1.0, 1.0])
@@ -234,7 +234,7 @@ def test_the_sum_of_c_may_be_negative(impl):
     assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 
-@exercise("7.9")
+@exercise("7.6")
 @each_matrix
 def test_the_gradients_of_weights_are_central_differences(impl, m, rng, gradcheck):
     """M or its gradient is transposed, or grad_b is taken for all ones or for one of them."""
@@ -242,7 +242,7 @@ def test_the_gradients_of_weights_are_central_differences(impl, m, rng, gradchec
     gradcheck(shares, impl.barycentric_backward, (m, PIXEL), name="barycentric")
 
 
-@exercise("7.9")
+@exercise("7.6")
 @each_matrix
 def test_a_sum_that_is_always_1_has_no_gradient(impl, m):
     """The sum's own share is left out: all weights together seem to change."""

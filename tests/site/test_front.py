@@ -50,7 +50,7 @@ def test_the_zip_is_a_course_that_starts(tmp_path, run_module, index):
         file.extractall(tmp_path)
     course, = tmp_path.iterdir()
     assert "check [TARGET]" in run_module(course, "course").stdout
-    checked = run_module(course, "course", "check", "1.2")
+    checked = run_module(course, "course", "check", "1.1")
     assert "Next: 1.2" in checked.stdout, checked.stdout + checked.stderr
 
 

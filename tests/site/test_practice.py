@@ -184,7 +184,7 @@ def test_where_python_does_not_come_a_sentence_says_so(says, desks, address):
     found = place(page, "transform")
     found.locator(".check").click()
     expect(found.locator(".report")).to_contain_text(says, timeout=60_000)
-    assert "python3 -m course check 1.2" in found.locator(".report").inner_text()
+    assert "python3 -m course check 1.1" in found.locator(".report").inner_text()
 
 
 def test_where_nothing_is_kept_the_page_says_so(desks, address):
