@@ -193,8 +193,7 @@ def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
 
     uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the filter "nearest", by
     the given `nearest_at`. The given `mixture` says which levels, and their shares. Level l of the
-    Mipmap begins at number start[l]. The far floor of `python3 -m course demo --impl labs floor` is
-    calm with it.
+    Mipmap begins at number start[l]. It calms `python3 -m course demo --impl labs floor` far away.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> how = Sampler("linear-mipmap-linear", "wrap", None)

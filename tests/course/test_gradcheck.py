@@ -330,7 +330,7 @@ def test_an_exercise_that_is_not_started_says_so_itself():
     def backward(g, a, b):
         raise NotImplementedError("exercise 1.10: transform_backward")
 
-    with pytest.raises(NotImplementedError, match=r"exercise 1\.3"):
+    with pytest.raises(NotImplementedError, match=r"exercise 1\.10"):
         gradcheck(product, backward, (A, B))
 
 

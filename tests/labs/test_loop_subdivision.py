@@ -22,13 +22,15 @@ def loop_of(count, faces, u):
 # --- faces --------------------------------------------------------------------------------------
 
 @exercise("11.2")
-def test_two_triangles_become_eight(impl):
+def test_two_triangles_become_eight(impl, rng):
     """New vertices are numbered from 0, or from the largest old vertex, not from vertex_count. A
     face's edges are not read as AB, BC, CA. Triangles come kind by kind, or the middle one is left
     out. A child is wound the other way, or begins elsewhere."""
     faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
-    assert_equal(impl.loop_faces(faces, corner_edge, 6), [
-        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]])
+    n, count = np.arange(11), int(rng.integers(6, 99))
+    expected = np.where(n < 6, n, n - 6 + count)[[
+        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]]
+    assert_equal(impl.loop_faces(faces, corner_edge, count), expected)
 
 
 # --- point by point ------------------------------------------------------------------------------
