@@ -8,6 +8,7 @@
     portrait           the bunny, as pictures
     small              squares on pixels' centres, a ball cut open: pixel by pixel
     aliasing           a zone plate made smaller in five ways, a triangle that is pulled
+    mixed              colours that are found in pixels that mix them
     msaa               more and more samples in a pixel, colours found in mixed pixels
     floor              a floor to the horizon, a texture that finds its place
     reflections        what a mirror shows: directions, footprints, surroundings

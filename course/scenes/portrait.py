@@ -3,9 +3,8 @@ import numpy as np
 
 from ..given import image, mesh, plot
 from .drawing import SIZE, lit, painted, save, size_in_words, wireframe
-from .viewing import clip_positions
+from .viewing import BUNNY_EYE, clip_positions
 
-BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 TEAPOT_EYE = np.array([0.6, 1.2, 2.2])
 
 

@@ -3,10 +3,9 @@ import numpy as np
 
 from ..given import mesh, plot
 from .drawing import enlarged, save
-from .viewing import clip_from_world
+from .viewing import BUNNY_EYE, clip_from_world
 
 WIDTH, HEIGHT = 18, 14
-EYE = np.array([-1.3, 0.7, 2.2])
 PIXELS = [29, 28, 10, 18, 28, 36]  # left and lower edges, the first of equally deep faces
 
 
@@ -73,4 +72,4 @@ def squares():
 
 def camera(labs):
     """clip_from_world (4, 4) of a camera whose near plane cuts the unit ball."""
-    return clip_from_world(labs, EYE, near=1.85)
+    return clip_from_world(labs, BUNNY_EYE, near=1.85)

@@ -2,6 +2,7 @@
 import numpy as np
 
 UP = np.array([0.0, 1.0, 0.0])
+BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):

@@ -83,9 +83,11 @@ def compared_call(item, compared):
         if hints.place_in(returned, compared.got) is not None:
             return call, returned
     got, expected, agrees, _ = compared
-    row = np.argwhere(~agrees(got, expected))[0][0]
-    is_row = len(calls) == len(got) and hints.is_made_of(got[row], calls[row][1])
-    return calls[row if is_row else -1]
+    if len(calls) != len(got):
+        return calls[-1]
+    wrong = ~agrees(got, expected)
+    row = np.unravel_index(wrong.argmax(), wrong.shape)[0]
+    return calls[row if hints.is_made_of(got[row], calls[row][1]) else -1]
 
 
 def is_drawn(item):

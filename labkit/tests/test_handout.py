@@ -128,7 +128,7 @@ def test_a_mark_or_a_function_that_was_deleted_is_missed(tmp_path, run_module):
     lab.write_text("\n".join(kept).replace("def is_top_left(", "def is_left("), "utf-8")
     done = run_module(tmp_path, "course", "check", "2.1")
     assert "Next: 2.1 edge_function, not started" in done.stdout, done.stdout
-    done = run_module(tmp_path, "course", "check", "2.5")
+    done = run_module(tmp_path, "course", "check", "2.2")
     assert "labs/rasterization.py has no function is_top_left" in done.stdout, done.stdout
 
 

@@ -45,7 +45,7 @@ def scenes(labs):
     return {
         "ties": (draws.make_mesh(corners, squares), draws.Colours(COLOURS[:12]),
                  flat(screen, small.WIDTH, small.HEIGHT)),
-        "cut": (ball, coloured, seen_from(small.EYE, near=1.85)),
+        "cut": (ball, coloured, seen_from(small.BUNNY_EYE, near=1.85)),
         "ball": (ball, coloured, seen_from([-1.3, 0.7, 2.2])),
         "textured": (ball, draws.Texture(around, FACES, IMAGE), seen_from([-1.0, 0.4, 1.9])),
         "floor": (draws.make_mesh(FLOOR, GROUND), draws.Texture(0.4 * FLOOR[:, ::2], GROUND, IMAGE),

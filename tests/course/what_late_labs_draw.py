@@ -9,7 +9,7 @@ from course.scenes import (
     fit_volume,
     hole,
     levels,
-    msaa,
+    mixed,
     portrait,
     reconstruct,
     representations,
@@ -35,10 +35,10 @@ def lab_4(labs):
     pattern = labs.msaa.standard_pattern(4)
     yield "a ball, shaded by pixel and face", labs.msaa.msaa(
         clip, faces, 20, 16, pattern, lambda *place: np.stack(place, -1), drawing.BACKGROUND)
-    seen = msaa.sampled_ball(labs, vertices, faces, 12)
-    goal = msaa.painted(labs, seen, np.append(1 + vertices[faces].mean(1), np.eye(3)[:1], 0))
+    seen = mixed.sampled_ball(labs, vertices, faces, 12)
+    goal = mixed.painted(labs, seen, np.append(1 + vertices[faces].mean(1), np.eye(3)[:1], 0))
     yield "a ball with flat colours", goal
-    *_, found = msaa.colours_found(labs, seen, goal, len(faces), 3)
+    *_, found = mixed.colours_found(labs, seen, goal, len(faces), 3)
     yield "its colours, found", found
 
 
