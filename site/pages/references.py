@@ -14,15 +14,15 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from . import sources_course
 from .names import exercise_pages, function_page
 
-NUMBER = re.compile(r"\d+b?")
-LIST = r"\d+b?(?:(?:, and|,| and| or| to) \d+b?)*"
+NUMBER = re.compile(r"\d+[bc]?")
+LIST = r"\d+[bc]?(?:(?:, and|,| and| or| to) \d+[bc]?)*"
 PLACE = re.compile(
-    rf"\b[Ll]ectures (?P<lectures>{LIST})|\b[Ll]ecture (?P<lecture>\d+b?)"
+    rf"\b[Ll]ectures (?P<lectures>{LIST})|\b[Ll]ecture (?P<lecture>\d+[bc]?)"
     r"|(?<!\d{4}, )\b(?:"  # "2020, section 3" is in a paper
     rf"[Ss]ections (?P<sections>{LIST})|[Ss]ection (?P<section>\d+))(?!\.?\d)"
     r"|(?<![\w)])\((?P<equation>[1-9]\d?)\)")  # 22(4) is a volume of a journal
-BEFORE = re.compile(r"[Ll]ecture (\d+b?)(?:, |['\u2019]s )(?:equation )?$")
-BEHIND = re.compile(r" of lecture (\d+b?)")
+BEFORE = re.compile(r"[Ll]ecture (\d+[bc]?)(?:, |['\u2019]s )(?:equation )?$")
+BEHIND = re.compile(r" of lecture (\d+[bc]?)")
 ANNOUNCED = re.compile(r"(?:Exercises?|Steps?|Extras?) \d")
 EXERCISE = re.compile(r"\b\d+\.\d+\b")
 EVERYDAY = set(  # words of another meaning, too: they are links where the glossary leads

@@ -20,7 +20,7 @@ TREE = """
 WHOLE = ["All exercises </labs/index>", "/reference/index", "/given/index", "/benchmarks",
          "/glossary", "/bibliography", "/errata"]
 FURTHER = ["/own_pictures", "/real_projects", "/instructors"]
-HEADING = re.compile(r'"# 0?(\d+b?) ([^:"\\]+)')
+HEADING = re.compile(r'"# 0?(\d+[bc]?) ([^:"\\]+)')
 
 
 def setup(app):
@@ -56,14 +56,14 @@ def lectures():
 
 def is_sequel(lecture):
     """06b_cube_maps is."""
-    return lecture[2] == "b"
+    return lecture[2] in "bc"
 
 
 def entry(lecture):
     """06b_cube_maps -> its line in the tree: 6b Cube maps."""
     text = (ROOT / "notebooks" / f"{lecture}.ipynb").read_text("utf-8")
     number, name = HEADING.search(text).groups()
-    shown = f"{number} {name}" if number.strip("0b") else name
+    shown = f"{number} {name}" if number.strip("0bc") else name
     return f"{shown} </lectures/{lecture}>"
 
 
