@@ -51,7 +51,7 @@ def test_the_zip_is_a_course_that_starts(tmp_path, run_module, index):
     course, = tmp_path.iterdir()
     assert "check [TARGET]" in run_module(course, "course").stdout
     checked = run_module(course, "course", "check", "1.1")
-    assert "Next: 1.2" in checked.stdout, checked.stdout + checked.stderr
+    assert "Next: 1.1" in checked.stdout, checked.stdout + checked.stderr
 
 
 def test_the_page_says_the_commands_and_the_numbers_of_the_readme(index):

@@ -66,7 +66,7 @@ def lecture(number):
 @pytest.mark.parametrize(("number", "words", "address"), [
     ("02", "(3)", "#equation-3"),
     ("02", "section 10", "#10-behind-the-camera"),
-    ("02", "6", "#6-the-shared-edge-whose-is-the-pixel"),  # "sections 2 to 6"
+    ("10", "8", "#8-fits"),  # "sections 5 to 8"
     ("02", "lecture 04", "04_msaa.html"),
     ("05", "(3)", "02_rasterization.html#equation-3"),     # "of lecture 02"
     ("09", "(6)", "09b_cube_pose_and_texture.html#equation-6"),
