@@ -1,7 +1,6 @@
 """Lab 16 on pictures of your own: `python3 -m course reconstruct FOLDER`.
 
-    camera_files   what the two kinds of camera files say
-    lenses         pictures without the distortion of their lens
+    camera_files   where the pictures were taken
     silhouettes    which pixels show the object
     hulls          where the object is, and whether cameras and silhouettes agree
     captures       a folder's pictures, with the cameras that took them

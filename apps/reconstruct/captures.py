@@ -1,22 +1,16 @@
 """Pictures of an object, with the cameras that took them: what lab 16's search is given.
 
-`python3 -m course reconstruct FOLDER` reads a folder with pictures and one of two descriptions.
-README.md, beside this file, makes such a folder of a phone's photographs.
+`python3 -m course reconstruct FOLDER` reads a folder with pictures and transforms.json. README.md,
+beside this file, makes such a folder of a phone's photographs.
 
-transforms.json (or transforms_train.json), as NeRF, instant-ngp and Nerfstudio write it. A matrix
+transforms.json (or transforms_train.json) is as NeRF, instant-ngp and Nerfstudio write it. A matrix
 is world_from_camera: columns are the camera's right, up, back (it looks along its own -z, as
 OpenGL's and Blender's) and its place. A lens is camera_angle_x in radians or fl_x in pixels, and
-the same with y where pixels are not square. cx, cy, w, h in pixels, and k1, k2, p1, p2 may be
-added. All of them stand for all pictures or in a frame:
+the same with y where pixels are not square. cx, cy, w, h in pixels may be added. All of them stand
+for all pictures or in a frame:
 
     {"camera_angle_x": 0.7, "frames": [{"file_path": "images/00.png", "transform_matrix":
      [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
-
-cameras.bin and images.bin, COLMAP's model, in the folder, in sparse/0, 1, ... (the largest is
-taken) or in sparse, with the pictures in images/ or the folder. `colmap model_converter` makes them
-of a model in text. The lenses SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV are read,
-and their distortion is undone in pictures and masks. Of other lenses, `colmap image_undistorter`
-makes pictures without distortion.
 
 Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, and show the whole object. What is
 described and is not there is left out. These programs ignore EXIF, so pictures are read as stored.

@@ -220,7 +220,7 @@ def disagreement(outlines, scene):
                 f"{' or '.join(without[:5])} there is one: look at the camera and the mask of that "
                 "picture, or leave it out")
     title = f"the cameras in {scene.file} do not agree"
-    if scene.file.endswith(".json") and (advice := convention(outlines)):
+    if advice := convention(outlines):
         return f"{title}: a camera looks along its own -z, and y is up, but these matrices {advice}"
     return (f"{title}, and leaving one out does not help: does each matrix lead from the camera to "
             "the world, and is the angle of the lens right?")

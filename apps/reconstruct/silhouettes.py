@@ -12,7 +12,6 @@ from PIL import Image
 
 from course.given import image
 
-from . import lenses
 from .camera_files import require
 
 DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's
@@ -38,7 +37,8 @@ def cut_out(folder, scene, longest):
     sources, turned = oriented(folder, scene)
     background, guessed = behind(sources)
     white = np.ones(3) if background is None else background
-    small = [pinhole(source, background, image.to_linear(white), longest) for source in sources]
+    small = [(resized(source.shot, *within(*source.shot[2:4], longest)),
+              cut(source, background, image.to_linear(white), longest)) for source in sources]
     require_whole(small)
     width, height = (-(-max(shot[side] for shot, _ in small) // 4) * 4 for side in (2, 3))
     framed = [frame(shot, picture, image.to_linear(white), width, height)
@@ -196,14 +196,6 @@ def cut(source, background, white, longest):
     light = [smaller(linear(colour[..., k]) * coverage, longest) for k in range(3)]
     covered = smaller(coverage, longest)[..., None]
     return np.concatenate([np.stack(light, 2) + (1 - covered) * white, covered], 2)
-
-
-def pinhole(source, background, white, longest):
-    """A Source -> its Shot and picture (H, W, 4) without distortion, reduced, as `cut` gives it."""
-    shot = resized(source.shot, *within(*source.shot[2:4], longest))
-    if not any(shot.bend):
-        return shot, cut(source, background, white, longest)
-    return lenses.straight(shot, cut(source, background, white, lenses.FINE * longest))
 
 
 def unlike(colour, background):

@@ -1,11 +1,9 @@
-"""A ring at (1, 2, 3) from six sides, as folders of pictures in the two formats."""
+"""A ring at (1, 2, 3) from six sides, as a folder of pictures."""
 import functools
 import json
-import struct
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from apps.reconstruct import captures
 from course.given import image, mesh
@@ -21,7 +19,6 @@ VIEWS = [LABS.transforms.look_at(CENTRE + side, CENTRE, np.array([0.0, 1.0, 0.0]
          for side in SIDES]  # OpenGL's camera_from_world
 POSES = [np.linalg.inv(view) for view in VIEWS]
 NAMES = [f"{k}.png" for k in range(len(SIDES))]
-SIMPLE_PINHOLE = 0, (F, WIDTH / 2, HEIGHT / 2)  # COLMAP's number of a model, and its numbers
 
 
 @functools.cache
@@ -62,22 +59,6 @@ def nerf(folder, **changes):
     scene = {"camera_angle_x": 2 * np.arctan(WIDTH / 2 / F), "frames": frames(POSES), **changes}
     (folder / "transforms.json").write_text(json.dumps(
         {key: value for key, value in scene.items() if value is not None}))
-    return folder
-
-
-def colmap(folder, model=SIMPLE_PINHOLE, names=NAMES, camera=1):
-    """Write COLMAP's cameras.bin and images.bin, and give their folder."""
-    folder.mkdir(exist_ok=True, parents=True)
-    number, given = model
-    images = struct.pack("<Q", len(names))
-    for k, (name, view) in enumerate(zip(names, VIEWS, strict=False)):
-        opencv = np.diag([1, -1, -1, 1]) @ view
-        x, y, z, w = Rotation.from_matrix(opencv[:3, :3]).as_quat()
-        images += struct.pack("<I7dI", k + 1, w, x, y, z, *opencv[:3, 3], 1) + name.encode()
-        images += struct.pack("<xQ", k % 2) + bytes(24 * (k % 2))  # its points
-    (folder / "images.bin").write_bytes(images)
-    (folder / "cameras.bin").write_bytes(struct.pack(
-        f"<QIiQQ{len(given)}d", 1, camera, number, WIDTH, HEIGHT, *given))
     return folder
 
 

@@ -1,6 +1,4 @@
-"""Where pictures were taken, as transforms.json and COLMAP's files say it."""
-import base64
-import zlib
+"""Where pictures were taken, as transforms.json says it."""
 
 import numpy as np
 import pytest
@@ -16,38 +14,6 @@ def folder(tmp_path):
     return ring.photograph(tmp_path)
 
 
-@pytest.mark.parametrize(("model", "numbers", "lens"), [
-    (0, (20, 14, 7), (20, 20, 14, 7, (0, 0, 0, 0))),
-    (1, (20, 21, 14, 7), (20, 21, 14, 7, (0, 0, 0, 0))),
-    (2, (20, 14, 7, .1), (20, 20, 14, 7, (0.1, 0, 0, 0))),
-    (3, (20, 14, 7, .1, .2), (20, 20, 14, 7, (0.1, 0.2, 0, 0))),
-    (4, (20, 21, 14, 7, .1, .2, .3, .4), (20, 21, 14, 7, (0.1, 0.2, 0.3, 0.4)))])
-def test_the_numbers_of_colmaps_lenses_have_their_places(folder, model, numbers, lens):
-    """A k is taken for a focal length, or the centre for it."""
-    shot = camera_files.read(ring.colmap(folder, (model, numbers))).shots[0]
-    assert (*shot[2:8], shot.bend) == (48, 32, *lens)
-
-
-# Written by COLMAP's own scripts/python/read_write_model.py, compressed.
-WRITTEN = {"cameras.bin": "c-muRfB<$NW&&aZC|`jA8TdIsXbUK90HrV30{|?`0^k",
-           "images.bin": "c-muOfB;4yK5Jc{HgCZ*dl=0?6cBM>2a<^j26_c~>2OgdqRsnYkKH^&uz8Fqay$+&`acvf6Y"
-                         "p*Z?DiOe?O`Hd4=!;QqV4CvVZSlher7W5$0ZH`OVVMk"}
-
-
-def test_colmaps_own_files(tmp_path):
-    """A field has another length or place, the points are not skipped, a name has its last 0."""
-    for name, letters in WRITTEN.items():
-        (tmp_path / name).write_bytes(zlib.decompress(base64.b85decode(letters)))
-    for k in range(4):
-        (tmp_path / f"a {k}.png").touch()
-    shots = camera_files.read(tmp_path).shots
-    assert [shot.name for shot in shots] == [f"a {k}.png" for k in range(4)]
-    for k, shot in enumerate(shots):
-        assert shot[2:8] == (48, 32, 60, 60, 24, 16) and shot.bend == (0.25, 0, 0, 0)
-        np.testing.assert_allclose(shot.world_from_camera, [[1, 0, 0, -k], [0, 0, -1, -5],
-                                                            [0, 1, 0, 0], [0, 0, 0, 1]], atol=1e-12)
-
-
 def test_a_camera_of_nerf_on_paper(folder):
     """The angle is taken from below to above, or as degrees. What stands for all hides a frame's
     own, or what says nothing is refused.
@@ -57,7 +23,7 @@ def test_a_camera_of_nerf_on_paper(folder):
     np.testing.assert_allclose(shot[2:8], [48, 32, 48, 48, 24, 16])
     frames = [{**frame, "camera_angle_x": 2 * np.arctan(48 / (50 + k))}
               for k, frame in enumerate(ring.frames(ring.POSES, "{}.png"))]
-    nothing = {"k1": 0, "k5": 0, "is_fisheye": False, "rolling_shutter": [0, 0, 0, 0], "scale": 2}
+    nothing = {"k1": 0.0, "k5": 0, "is_fisheye": False, "rolling_shutter": [0, 0, 0, 0], "scale": 2}
     scene = ring.nerf(folder, frames=frames, fl_x=40, fl_y=70, cx=20, cy=17, w=96, h=64, **nothing)
     shot = camera_files.read(scene).shots[2]
     np.testing.assert_allclose(shot[2:8], [96, 64, 52, 70, 20, 17])
@@ -87,32 +53,9 @@ def test_pictures_of_another_size_scale_their_cameras(folder):
                                  "but 48 x 32: its camera is scaled")
 
 
-@pytest.mark.parametrize(("model", "pictures"), [
-    ("sparse/0", "images"), ("sparse", "images"), (".", "images"), ("sparse/0", ".")])
-def test_colmaps_folders_are_found(tmp_path, model, pictures):
-    """Only one of the places where COLMAP's tools write is known."""
-    ring.photograph(tmp_path)
-    ring.colmap(tmp_path / model)
-    (tmp_path / pictures).mkdir(exist_ok=True)
-    for k in range(6):
-        (tmp_path / f"{k}.png").rename(tmp_path / pictures / f"{k}.png")
-    scene = camera_files.read(tmp_path)
-    assert [shot.name for shot in scene.shots] == ring.NAMES
-    assert all(shot.path.exists() for shot in scene.shots)
-
-
-def test_colmaps_largest_model_is_read(tmp_path):
-    """COLMAP could not join three pictures with the rest: they are sparse/0, and all is refused."""
-    ring.photograph(tmp_path)
-    for part, names in enumerate((ring.NAMES[:3], ring.NAMES, ring.NAMES[:2])):
-        ring.colmap(tmp_path / "sparse" / str(part), names=names)
-    assert [shot.name for shot in camera_files.read(tmp_path).shots] == ring.NAMES
-
-
-@pytest.mark.parametrize("write", [ring.nerf, ring.colmap])
-def test_a_picture_that_is_not_there_is_left_out(folder, write):
-    """Who deletes a blurred picture must edit the file, and COLMAP's is binary."""
-    (write(folder) / "2.png").unlink()
+def test_a_picture_that_is_not_there_is_left_out(folder):
+    """Who deletes a blurred picture must edit the file."""
+    (ring.nerf(folder) / "2.png").unlink()
     photos = captures.read(ring.LABS, folder)
     assert photos.names == [name for name in ring.NAMES if name != "2.png"]
     assert " is not there, and is left out of " in photos.assumed[0]
@@ -139,12 +82,11 @@ MATRIX[2, 3] = 5.0
     ({"frames": ring.frames([MATRIX] * 4, "0.png")}, "0.png and 0.png have the same camera in tra"),
     ({"frames": ring.frames([MATRIX] * 4, "9.png")}, "has 0: there is no "),
     ({"camera_angle_x": None}, "needs a camera_angle_x in radians, or a fl_x in pixels"),
-    *(({key: 1}, f"{key} in transforms.json is 1: such a lens is not read, so undistort")
+    *(({key: 1}, f"{key} in transforms.json is 1: such a lens is not read: apps/reconstruct")
       for key in camera_files.NOT_READ),
     ({"camera_angle_x": 40}, "camera_angle_x in transforms.json must be from 0.01 to 3.1, and is"),
-    *(({"k1": wrong}, f"k1 in transforms.json must be a finite number, and is {shown}")
+    *(({"cx": wrong}, f"cx in transforms.json must be a finite number, and is {shown}")
       for wrong, shown in (("much", "much"), (True, "True"), (10**400, "..."))),
-    ({"k1": -9.0}, "the lens of 0.png bends too much for a picture without distortion: are -9, 0,"),
     ({"camera_model": "OPENCV_FISHEYE"}, "camera_model in transforms.json is OPENCV_FISHEYE: such"),
     ({"w": 48, "h": 40}, "0.png has 48 x 32 pixels, and transforms.json says 48 x 40, which is"),
     ({"frames": ring.frames(ring.POSES * np.array([1, -1, -1, 1]))},
@@ -154,34 +96,19 @@ def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, chan
     assert sentence in ring.told(ring.nerf(folder, **changes))
 
 
-def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder):
-    """A traceback, or a search that cannot find anything."""
-    path = ring.colmap(folder, (5, (20, 21, 14, 7))) / "images.bin"
-    assert "camera 1 in cameras.bin has COLMAP's model 5: such a lens is" in ring.told(folder)
-    ring.colmap(folder, camera=2)
-    assert "0.png in images.bin has camera 1, which is not in cameras.bin" in ring.told(folder)
-    ring.colmap(folder)
-    content = path.read_bytes()
-    for wrong in content[:-100], content[:72] + b"\xff" + content[73:], b"", b"\xff" * 99:
-        path.write_bytes(wrong)
-        assert "cameras.bin or images.bin is cut short, or is not as COLMAP w" in ring.told(folder)
-
-
-def test_one_format_is_there_or_it_is_said(tmp_path):
-    """A file is taken that the user has forgotten, or a traceback."""
+def test_a_folder_without_cameras_is_told(tmp_path):
+    """A traceback."""
     assert "there is no folder" in ring.told(tmp_path / "none")
-    assert "there is no transforms.json or COLMAP's cameras.bin in " in ring.told(tmp_path)
+    assert "there is no transforms.json in " in ring.told(tmp_path)
     (tmp_path / "transforms.json").write_text("{")
     assert "transforms.json is no JSON: " in ring.told(tmp_path)
-    ring.colmap(tmp_path)
-    assert "transforms.json and cameras.bin in" in ring.told(tmp_path)
 
 
 def test_a_picture_is_read_as_it_is_stored_unless_only_the_shown_one_fits(folder):
     """COLMAP, instant-ngp and Nerfstudio ignore EXIF, so what it turns no longer fits its camera.
     Or a camera of the shown picture is given to the stored one, unsaid.
     """
-    expected = captures.read(ring.LABS, ring.colmap(folder))
+    expected = captures.read(ring.LABS, ring.nerf(folder, w=48, h=32))
     for k, turned, orientation in (1, None, 3), (2, image.Image.Transpose.ROTATE_90, 6):
         picture, exif = image.Image.open(folder / f"{k}.png"), image.Image.Exif()
         exif[0x0112] = orientation
@@ -189,5 +116,5 @@ def test_a_picture_is_read_as_it_is_stored_unless_only_the_shown_one_fits(folder
         picture.save(folder / f"{k}.png", exif=exif)
     found = captures.read(ring.LABS, folder)
     np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert found.assumed == ["EXIF turns 2.png: images.bin describes the picture as it is shown, "
-                             "and so it is read", *expected.assumed]
+    assert found.assumed == ["EXIF turns 2.png: transforms.json describes the picture as it is "
+                             "shown, and so it is read", *expected.assumed]
