@@ -23,7 +23,6 @@ NOT_READ = (  # what would change a camera
     "is_fisheye", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "distortion_params",
     "ftheta_p0", "latlong", "equirectangular", "orthographic", "rolling_shutter",
     "transform_matrix_start", "from_mitsuba")
-Y_AND_Z_TURNED = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenCV's axes <-> OpenGL's
 
 
 class Shot(NamedTuple):

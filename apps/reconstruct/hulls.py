@@ -8,22 +8,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy import ndimage
 
-from .camera_files import Y_AND_Z_TURNED, require
+from .camera_files import require
 
 CELLS = 48          # of the hull's grid, along an axis
 COVERED = 0.1       # a pixel of more coverage is in the silhouette
 CROPPED = 0.01      # a smaller part of a silhouette outside of the ball is noise: specks
 UNFILLED = 0.05     # a smaller part of a silhouette that the hull does not fill is noise
 ONE_SIDE = 20       # degrees from the mean axis: no depth is seen
-UNSEEN = 75         # degrees from the nearest picture: a side is not seen, or hardly
-UNLIKE = 0.5        # a larger part of the silhouettes that is not filled: the cameras are wrong
 SAME = 1e-6         # the difference of two cameras that are one
-
-CHANGES = (  # what may have to be done to matrices that cannot be meant as they should be
-    (np.linalg.inv, "lead from the world to the camera: give their inverses"),
-    (lambda matrix: matrix @ Y_AND_Z_TURNED, "are OpenCV's, along +z: change the signs of their "
-     "second and third columns"))
-CONVENTIONS = [CHANGES[:1], CHANGES[1:], CHANGES]
 
 
 class Outline(NamedTuple):
@@ -43,16 +35,16 @@ def ball(scene, shots, pictures):
     """
     outlines = [outline(*each) for each in zip(shots, pictures, strict=True)]
     require_different(outlines, scene)
-    notes = sides(outlines)
+    require_sides(outlines)
     points, reach = hull_around(outlines)
     if not len(points):
         raise ValueError(disagreement(outlines, scene))
     centre = (points.min(0) + points.max(0)) / 2
     radius = size_around(outlines, centre, points, reach)
     middle = ", ".join(f"{number:.3g}" for number in centre)
-    notes.append(f"the object is taken to lie in a ball of radius {radius:.3g} around ({middle}), "
-                 "found from the silhouettes")
-    return (centre, radius), notes + doubts(outlines, points, reach)
+    taken = (f"the object is taken to lie in a ball of radius {radius:.3g} around ({middle}), "
+             "found from the silhouettes")
+    return (centre, radius), [taken, *doubts(outlines, points, reach)]
 
 
 def outline(shot, picture):
@@ -184,31 +176,13 @@ def require_different(outlines, scene):
             "is it the matrices' inverse that leads from the camera to the world?")
 
 
-def sides(outlines):
-    """A warning in a list of the sides that no picture shows. ValueError if all show just one."""
+def require_sides(outlines):
+    """ValueError if all pictures show the object from just one side."""
     axes = np.array([axis(one) for one in outlines])
     mean = axes.mean(0) / max(np.linalg.norm(axes.mean(0)), 1e-9)
     most = np.degrees(np.arccos(np.clip(axes @ mean, -1, 1))).max()
     require(most > ONE_SIDE, f"all views are from one side, within {most:.0f} degrees of their "
             "mean direction, and do not show how deep the object is: take pictures from all around")
-    unseen = [name for name, side in directions(outlines, -axes).items()
-              if (side @ -axes.T).max() < np.cos(np.radians(UNSEEN))]
-    return [f"no picture is from {' or from '.join(unseen)}: what only such a picture shows is "
-            "guessed"] * bool(unseen)
-
-
-def directions(outlines, towards):
-    """Names of sides of the object, as the pictures are held, and their unit vectors (3,).
-
-    towards (N, 3) leads from the object to each of the cameras.
-    """
-    up = np.mean([one.shot.world_from_camera[:3, 1] for one in outlines], axis=0)
-    up /= max(np.linalg.norm(up), 1e-9)
-    level = np.abs(towards @ up).argmin()
-    front, name = towards[level], outlines[level].shot.name
-    right = np.cross(up, front)
-    return {"above": up, "below": -up, f"the left of {name}": -right, f"the right of {name}": right,
-            f"the side opposite to {name}": -front}
 
 
 def disagreement(outlines, scene):
@@ -219,27 +193,9 @@ def disagreement(outlines, scene):
         return ("no point of space is in the silhouettes of all pictures, but without "
                 f"{' or '.join(without[:5])} there is one: look at the camera and the mask of that "
                 "picture, or leave it out")
-    title = f"the cameras in {scene.file} do not agree"
-    if advice := convention(outlines):
-        return f"{title}: a camera looks along its own -z, and y is up, but these matrices {advice}"
-    return (f"{title}, and leaving one out does not help: does each matrix lead from the camera to "
-            "the world, and is the angle of the lens right?")
-
-
-def convention(outlines):
-    """What the matrices are instead, in words, if then they fit the silhouettes."""
-    tried = [changed(outlines, changes) for changes in CONVENTIONS]
-    unlike = [np.mean(unfilled(each, *hull_around(each))) for each in tried]
-    best = CONVENTIONS[int(np.argmin(unlike))]
-    return "; then they ".join(advice for _, advice in best) if min(unlike) < UNLIKE else ""
-
-
-def changed(outlines, changes):
-    """Outlines whose Shots have their matrices changed."""
-    for change, _ in changes:
-        outlines = [one._replace(shot=one.shot._replace(
-            world_from_camera=change(one.shot.world_from_camera))) for one in outlines]
-    return outlines
+    return (f"the cameras in {scene.file} do not agree, and leaving one out does not help: does "
+            "each matrix lead from the camera to the world, does the camera look along its own -z "
+            "(OpenCV's along +z), and is the angle of the lens right?")
 
 
 def doubts(outlines, points, reach):

@@ -90,7 +90,7 @@ MATRIX[2, 3] = 5.0
     ({"camera_model": "OPENCV_FISHEYE"}, "camera_model in transforms.json is OPENCV_FISHEYE: such"),
     ({"w": 48, "h": 40}, "0.png has 48 x 32 pixels, and transforms.json says 48 x 40, which is"),
     ({"frames": ring.frames(ring.POSES * np.array([1, -1, -1, 1]))},
-     "matrices are OpenCV's, along +z: change the signs of their second and third columns")])
+     "does the camera look along its own -z (OpenCV's along +z), and")])
 def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
     assert sentence in ring.told(ring.nerf(folder, **changes))
