@@ -19,7 +19,8 @@ from labkit.places import ROOT
 from . import put
 from .formulas import TAG, formula
 
-LECTURES, STATIC = ROOT / "notebooks", ROOT / "site" / "static"
+LECTURES, SITE = ROOT / "notebooks", ROOT / "site"
+TEMPLATE, FONT = SITE / "templates/slides.html", SITE / "static/vendor/stix/stix-two-math.woff2"
 GUESS, TASKS, PICTURE = "**Guess first", ("**Exercise", "**Step"), "<img "
 SHOWN = re.compile(r"^(?:\$\$.*?\$\$|(?:\*\*(?:Guess first|Exercise|Step)|<img |\|).*?(?=\n\n|\Z))",
                    re.MULTILINE | re.DOTALL)
@@ -27,7 +28,7 @@ SHOWN = re.compile(r"^(?:\$\$.*?\$\$|(?:\*\*(?:Guess first|Exercise|Step)|<img |
 
 def write(folder):
     """Write the slides of each lecture that has sentences."""
-    lectures = tomllib.loads((ROOT / "teaching" / "slides.toml").read_text("utf-8"))
+    lectures = tomllib.loads((ROOT / "teaching/slides.toml").read_text("utf-8"))
     for name, sentences in lectures.items():
         put(folder / f"{name}.html", deck(LECTURES / f"{name}.ipynb", sentences))
 
@@ -43,8 +44,8 @@ def deck(path, sentences):
                    for slide in joined(SHOWN.findall(body), sentences.get(heading, ""))]
     render = MarkdownIt("commonmark", {"html": True}).enable("table").use(
         dollarmath_plugin, renderer=numbered).render
-    return Template((STATIC / "slides.html").read_text("utf-8")).substitute(
-        title=path.stem, font=coded(STATIC / "vendor" / "stix" / "stix-two-math.woff2"),
+    return Template(TEMPLATE.read_text("utf-8")).substitute(
+        title=path.stem, font=coded(FONT),
         slides="\n".join(f"<section>{render(slide)}</section>" for slide in slides))
 
 
