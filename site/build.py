@@ -1,4 +1,5 @@
-"""Makes the web site: writes the sources of its pages to out/site-source, then runs Sphinx.
+"""Makes the web site: writes the sources of its pages to out/site-source, then runs Sphinx. And
+the lectures' slides, in out/slides.
 
     python3 -m course site            the site in out/site; lectures are shown as they are saved
     python3 -m course site --serve    and opens it in the browser
@@ -16,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import front, labs, lectures, sources, texts_links
+from pages import front, labs, lectures, slides, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from labkit.places import ROOT, out, shown_path
@@ -31,6 +32,7 @@ def write_sources(folder, extra, python):
     labs.write(folder, extra, python)
     for part in lectures, front, texts_links:
         part.write(folder, extra)
+    slides.write(out("slides"))
 
 
 def publish(parts, target):

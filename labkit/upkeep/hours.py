@@ -4,7 +4,7 @@
 
 Sections and pages that no core exercise needs are marked as further reading, and do not count, nor
 do "On paper" and the sources. The three numbers are a rule, not a measurement of readers: change
-them here when a class was measured. README.md and notebook 00 print what comes out. A test tells
+them here when a class was measured. README.md, notebook 00 and teaching print them. A test tells
 when they are behind. This command updates them:
 
     python3 -m labkit.upkeep.hours
@@ -14,7 +14,8 @@ import re
 
 from .. import exercises, places
 
-PRINTED = places.ROOT / "README.md", places.ROOT / "notebooks" / "00_start_here.ipynb"
+PRINTED = [places.ROOT / page
+           for page in ("README.md", "notebooks/00_start_here.ipynb", "teaching/README.md")]
 
 WORDS_A_MINUTE = 75
 MINUTES_A_FIGURE = 1
@@ -67,7 +68,7 @@ def updated(text: str) -> str:
     whole = range(1, len(exercises.LABS) + 1)
     text = re.sub(r"((?:The core|A term\*\*) is )\d+ exercises, about \d+ hours",
                   lambda found: found[1] + told(whole), text)
-    text = re.sub(r"(A week\S* is )\d+ exercises, about \d+ hours([^.]*: labs ([\d, and]+))",
+    text = re.sub(r"(weeks?\S* \w+ )\d+ exercises, about \d+ hours([^.]*: labs ([\d, and]+))",
                   lambda found: found[1] + told([*map(int, re.findall(r"\d+", found[3]))])
                   + found[2], text)
     return re.sub(r"(\| (\d+) \| \[.*\| )[\d.]+ \|",

@@ -7,7 +7,8 @@ from labkit.places import ROOT
 from . import sources_course
 
 TEXTS = {  # a text of the repository: its page
-    "labkit/grading/README.md": "instructors", "notebooks/errata.md": "errata",
+    "teaching/README.md": "instructors", "teaching/first_week.md": "first_week",
+    "labkit/grading/README.md": "grading", "notebooks/errata.md": "errata",
     "apps/reconstruct/README.md": "own_pictures",
     "apps/bridge/README.md": "real_projects", "benchmarks/README.md": "benchmarks"}
 

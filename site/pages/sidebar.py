@@ -19,7 +19,7 @@ TREE = """
 """
 WHOLE = ["All exercises </labs/index>", "/reference/index", "/given/index", "/benchmarks",
          "/glossary", "/bibliography", "/errata"]
-FURTHER = ["/own_pictures", "/real_projects", "/instructors"]
+FURTHER = ["/own_pictures", "/real_projects", "/instructors", "/first_week", "/grading"]
 HEADING = re.compile(r'"# 0?(\d+[bc]?) ([^:"\\]+)')
 
 

@@ -27,6 +27,7 @@ HOUSES = {  # each house, and those below it that it imports
     "reference": ("course.given",),
     "course.fast": ("course.given", "reference"),
     "course.scenes": ("labkit", "course.given"),  # reference or labs come in by name, as they run
+    "teaching": ("course.given",),                # likewise
     "apps.bridge": ("labkit", "course.given"),    # likewise
     "apps.reconstruct": ("labkit", "course.given", "course.scenes"),
     "course": ("labkit", "course.scenes", "apps.bridge", "apps.reconstruct")}  # its commands

@@ -32,7 +32,7 @@ QUERIES = {
     "marching tetrahedra": [r"#term-marching-tetrahedra$", r"lectures/15_.*#marching"],
     "antialias_backward": [r"outlines\.antialias_backward$"],
     "nvdiffrast": [r"real_projects\.html"],
-    "grade": [r"instructors\.html"],
+    "grade": [r"grading\.html"],
 }
 
 
