@@ -143,8 +143,8 @@ def next_to_do(entries, implementation, seed):
     entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
-    lines = [headline(entry, wrong)]
-    if entry.verdict == "failing" and entry.claims[0] and not entry.extra:
+    lines = [headline(entry)]
+    if entry.verdict == "failing" and entry.claims[1]:
         lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
@@ -201,16 +201,15 @@ def in_lecture_order(entries):
     return sorted(entries, key=place)
 
 
-def headline(entry, wrong):
-    """Which exercise is next, and how much of it is wrong."""
+def headline(entry):
+    """Which exercise is next, and how it is with it."""
     if entry.verdict == "done":
         return f"Left: the fine print of {entry.number} {entry.name}"
     line = f"Next: {entry.number} {entry.name}, {entry.verdict}"
     if entry.verdict != "failing" or not entry.checks:
         return line
     not_run = sum(check.verdict == "not run" for check in entry.checks)
-    line += f" in {len(wrong) - not_run} of {plural(len(entry.checks), 'check')}"
-    return f"{line}, {not_run} not run" if not_run else line
+    return f"{line}, {plural(not_run, 'check')} not run" if not_run else line
 
 
 def ways_on(entry, implementation, seed):

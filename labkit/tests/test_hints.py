@@ -37,7 +37,9 @@ def told(assertion, got, expected, *inputs):
 
 @pytest.mark.parametrize(("got", "expected", "hint"), [
     (-CORNER, CORNER, "the sign is flipped"),
-    (CORNER.T, CORNER, "rows and columns are swapped"),
+    (CORNER.T, CORNER, "it is the transpose, (3, 2) instead of (2, 3)"),
+    (CORNER.sum(), CORNER, "it is summed over all axes"),
+    (CORNER.sum(1), CORNER, "it is summed over axis 1, too"),
     (CORNER[::-1], CORNER, "0 and 1 are exchanged along axis 0"),
     (FOUR[::-1] * [[1], [2], [1], [1]], FOUR * [[1], [1], [2], [1]],
      "the order along axis 0 is reversed"),
