@@ -148,6 +148,8 @@ def in_another_shape(got, expected):
 
 def axes_in_words(came, expected, inputs=()):
     """What became of an axis, where the shapes of what came and was expected tell it, or None."""
+    if expected == ():
+        return "one number is expected: is a sum, a mean or an index missing?"
     if sorted(came) == sorted(expected):
         return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
     if axis := the_axis(expected, came):
@@ -197,8 +199,7 @@ def distorted(got, expected):
 def whole_numbers(got, expected):
     """Yield that integers came where fractions were expected."""
     if got.dtype.kind in "iu" and expected.dtype.kind == "f" and np.any(expected % 1):
-        yield ("these are integers, and fractions were expected: they come from //, int, or an "
-               "array of integers")
+        yield "these are integers, and fractions were expected: look for //, int or integer arrays"
 
 
 def scaled(got, expected, agrees, inputs):

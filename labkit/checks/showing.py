@@ -155,14 +155,17 @@ def fitting(error):
                "wrong? For the dot product of each row with its own, it is (a * b).sum(-1).")
     elif "must have same number of dimensions" in text:
         yield f"    what is joined needs equally many axes: {AN_AXIS}"
+    elif "concatenation axis must match" in text:
+        yield ("    what is joined has one shape but along the joined axis. Has a sum or a mean the "
+               "wrong axis, or none?")
     elif "broadcast" in text and len(shapes) == 2:
         yield f"    {unfit(*shapes)}"
 
 
 def unfit(short, long):
     """Why two shapes do not broadcast, and what helps."""
-    fits = [each for k in range(len(short) + 1)
-            if broadcasts(each := (*short[:k], 1, *short[k:]), long)]
+    fits = [each for ones in ((1,), (1,) * (len(long) - len(short))) for k in range(len(short) + 1)
+            if broadcasts(each := (*short[:k], *ones, *short[k:]), long)]
     if fits:
         dot = f". Or is {long} to be summed over its last axis first, as in a dot product?"
         return f"{short} fits as {fits[0]}: {AN_AXIS}{dot * (long[:-1] == short)}"

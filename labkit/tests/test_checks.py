@@ -535,11 +535,13 @@ def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
     ("np.ones((5, 3)) + np.ones(5)", "Or is (5, 3) to be summed over its last axis"),
     ("np.ones((4, 3)) * np.ones((4, 3, 2))", "(4, 3) fits as (4, 3, 1): "),
     ("np.ones((4, 2)) + np.ones((7, 4, 3, 2))", "(4, 2) fits as (4, 1, 2): "),
+    ("np.ones(5) * np.ones((5, 4, 3))", "(5,) fits as (5, 1, 1): "),
     ("np.ones((4, 2)) + np.ones(3)", "must be equal or 1. Here 3 and 2 meet"),
     ("np.ones((4, 2)) + np.ones((2, 4))", "(4, 2) and (2, 4) are equal when one is transposed"),
     ("np.ones((4, 2)) @ np.ones(4)", "They differ: 4 and 2 numbers"),
     ("np.dot(np.ones((4, 2)), np.ones((4, 2)))", "They differ: 2 and 4 numbers"),
     ("np.concatenate([np.ones((2, 3)), np.ones(2)], -1)", "equally many axes: keepdims=True"),
+    ("np.concatenate([np.ones((2, 3)), np.ones((1, 1))], -1)", "a mean the wrong axis, or none?"),
     ("rows = np.ones((6, 2)); i = np.arange(3); rows[i] * np.ones(3)", "rows[i] (3, 2)"),
     ("compile('\\0', 'a', 'exec')", None)])
 def test_an_axis_that_makes_two_arrays_fit_is_told(line, fits, tmp_path):
