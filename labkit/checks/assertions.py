@@ -25,12 +25,6 @@ class Compared(NamedTuple):
     picture: bool
 
 
-def has_new_nan(compared):
-    """Did NaN come where a number was expected?"""
-    got, expected, *_ = compared or (np.zeros(()), np.zeros(()))
-    return got.shape == expected.shape and bool(((got != got) & (expected == expected)).any())
-
-
 class Mismatch(AssertionError):
     """What is wrong: rows (label, text) of the report.
 

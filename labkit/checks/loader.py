@@ -59,7 +59,7 @@ class Implementation:
             self._stash[LAST_CALL] = function, args, kwargs
             self._stash[LAST_RETURN] = None
             returned = self._stash[LAST_RETURN] = contract.called(
-                self._warned(function), *given[0], **given[1])
+                noted, self._stash, function, *given[0], **given[1])
             self._stash[CALLS].append((self._stash[LAST_CALL], returned))
             require_returned(name, returned)
             require_unchanged(function, (args, kwargs), given)
@@ -68,19 +68,16 @@ class Implementation:
         vars(self)[name] = call
         return call
 
-    def _warned(self, function):
-        """The function, of which NumPy's first warning is kept."""
-        def keep(kind, _):
-            if WARNED not in self._stash:
-                frames = traceback.walk_stack(None)
-                self._stash[WARNED] = kind, traceback.StackSummary.extract(frames, limit=20)
 
-        @functools.wraps(function)
-        def call(*args, **kwargs):
-            with np.errstate(divide="call", invalid="call", over="call", call=keep):
-                return function(*args, **kwargs)
+def noted(stash, function, /, *args, **kwargs):
+    """What the function returns. NumPy's first warning there is kept in the stash."""
+    def keep(kind, _):
+        if WARNED not in stash:
+            frames = traceback.walk_stack(None)
+            stash[WARNED] = kind, traceback.StackSummary.extract(frames, limit=20)
 
-        return call
+    with np.errstate(divide="call", invalid="call", over="call", call=keep):
+        return function(*args, **kwargs)
 
 
 def classes(module):

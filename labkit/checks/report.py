@@ -18,7 +18,7 @@ from ..contract import UNFINISHED
 from ..suspicions import axes_in_words
 from ..table import COMMAND
 from . import hints, showing
-from .assertions import Mismatch, has_new_nan
+from .assertions import NAN, Mismatch
 from .loader import CALLS, LAST_CALL, LAST_RETURN, WARNED, folder
 from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
 
@@ -193,8 +193,8 @@ def caught(item, error, rows):
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     text = " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
-    is_beside = has_new_nan(getattr(error, "compared", None)) and "nan" not in text.lower()
-    return "" if is_beside else text
+    has_nan = isinstance(error, Mismatch) and NAN in dict(rows).get("differs", "")
+    return "" if has_nan and "nan" not in text.lower() else text
 
 
 def output_row(compared, returned):
@@ -208,7 +208,8 @@ def output_row(compared, returned):
 def named(function, place):
     """": grad_uv" for place "1 of 2", if the function's question names so many outputs, else ""."""
     question = (inspect.getdoc(function) or "").partition("Fine print.")[0].partition(">>>")[0]
-    told = re.split(r"[.:;](?=\s|$)", re.sub(r"\([^()]*\)", "", question).partition("->")[2])[0]
+    text = re.sub(r"\([^()]*\)", "", question).partition("->")[2]
+    told = re.split(r"[.:;](?=\s|$)|\n\n", text)[0]
     number, count = map(int, place.split(" of "))
     names = [name for part in re.split(r",|\band\b", told)
              if (name := " ".join(part.split())) and not re.match(NO_NAME, name)]
