@@ -156,8 +156,8 @@ def fitting(error):
     elif "must have same number of dimensions" in text:
         yield f"    what is joined needs equally many axes: {AN_AXIS}"
     elif "concatenation axis must match" in text:
-        yield ("    what is joined has one shape but along the joined axis. Has a sum or a mean the "
-               "wrong axis, or none?")
+        yield ("    what is joined has one shape but along the joined axis. Has a sum or a mean "
+               "the wrong axis, or none?")
     elif "broadcast" in text and len(shapes) == 2:
         yield f"    {unfit(*shapes)}"
 
