@@ -1,4 +1,5 @@
 """The progress board, a screen: what is done, what is not, and what to do next."""
+import ast
 import contextlib
 import functools
 import os
@@ -215,6 +216,8 @@ def headline(entry):
 def ways_on(entry, implementation, seed):
     """Rows: what runs the checks again, what to read, and what helps who is stuck."""
     yield "again", rerun(entry.blocked_by or entry.number, implementation, seed)
+    if entry.verdict == "failing" and (used := elsewhere(entry, folder(implementation))):
+        yield "uses", f"your own {', '.join(used)}: a mistake there shows here, too"
     yield "read", reading(entry, folder(implementation))
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"
@@ -222,6 +225,18 @@ def ways_on(entry, implementation, seed):
             puts_in = f"{COMMAND} close {entry.blocked_by or entry.number} --core puts it in"
             solution = puts_in if entry.blocked_by else f"{puts_in}; {solution}"
         yield "stuck", solution
+
+
+def elsewhere(entry, code):
+    """["2.6 rasterize"]: the exercises of other files that one calls, as rasterization.rasterize.
+    """
+    called = set()
+    with contextlib.suppress(OSError, ValueError):  # its checks say so
+        functions = exercises.top_level_functions(exercises.read(code / f"{entry.topic}.py"))
+        called = {ast.unparse(node.func) for function in functions if function.name == entry.name
+                  for node in ast.walk(function) if isinstance(node, ast.Call)}
+    return [f"{one.number} {one.name}" for topic in exercises.topics()
+            for one in exercises.topic_exercises(topic) if f"{topic}.{one.name}" in called]
 
 
 def reading(entry, code):

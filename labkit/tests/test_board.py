@@ -20,7 +20,8 @@ REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.4", "mask", "Not started.", "return n", points=4, inputs="n"),
     exercise_text("1.5", "area", "Calls mask.", "return mask(n)", points=2, inputs="n"),
     exercise_text("1.6", "unchecked", "Without a check.", "return x", points=5),
-    exercise_text("1.7", "skipped", "Its only check is skipped.", "return x")))
+    exercise_text("1.7", "skipped", "Its only check is skipped.",
+                  "return rasterization.twice(x)")))
 
 LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
@@ -157,6 +158,11 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, num
 def test_an_exercise_without_a_check_says_so(check):
     """It is done, as nothing fails."""
     assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout
+
+
+def test_an_exercise_of_another_file_is_named(check):
+    """Lab 1's mistake shows in lab 4, and one looks for it there."""
+    assert "uses      your own 2.1 twice: a mistake there" in check("1.7").stdout
 
 
 @pytest.mark.parametrize("target", ["1.8", "3", "sampling", "tests", ""])
