@@ -175,7 +175,8 @@ def warned(error, item):
         if Path(frame.filename).resolve().is_relative_to(code):
             where = f"{places.shown_path(frame.filename)}:{frame.lineno}"
             kind = kind.replace("invalid value", INVALID)
-            yield "warning", f"NumPy met {kind}, first at {where}\n    {showing.quoted(frame.line)}"
+            yield "warning", (f"NumPy met {kind}, first at {where}\n    "
+                              f"{showing.quoted(frame.line)}\nno mistake if the result is not used")
             return
 
 
