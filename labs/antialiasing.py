@@ -145,7 +145,7 @@ def last_crossing(x, y, w):  # step 8.5
 
 
 def blend_pairs(colour, pairs):  # exercise 8.9 (2 points)
-    """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
+    """Blend all pairs, by eqs. (4) and (5): colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
     be in several pairs. See `demo borders`.

@@ -92,7 +92,7 @@ def band_pass(picture, low, high):  # extra 3.3 (2 points)
 
 
 def convolve(picture, kernel):  # exercise 3.4 (3 points)
-    """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
+    """Filter a picture, by eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
     h and w are odd, and kernel[h // 2, w // 2] is g_0.
 

@@ -103,7 +103,7 @@ def loop_slow(vertices, faces, u):  # exercise 11.3 (5 points)
 
 
 def loop_rows(faces, edges, corner_edge, u):  # exercise 11.5 (5 points)
-    """Eqs. (3), with w = 1/8, and (5) as one matrix S: its entries (rows, columns, weights).
+    """A step of Loop as a matrix S: (3) with w = 1/8, and (5) -> rows, columns, weights.
 
     faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`, u (V,). S has V + E rows and V
     columns. Entries may come in any order, and add up at one place. `vertex_rows` is a step on the
