@@ -83,8 +83,8 @@ def cover(p, triangle, z):  # exercise 2.4 (6 points)
 
     p (..., 2): samples. triangle (3, 2): a face's corners on screen, z (3,): their depths ->
     covered (...), depth (...). A clockwise face is seen, too: exchange two of its corners, and
-    their z. Edge k has the ends i, j = EDGES[k]. A sample on a top-left edge is covered (2), on
-    another edge it is not. Depths beyond -1 or 1 are not covered.
+    their z. Edge k has the ends i, j = EDGES[k]. A sample on an edge is covered if that is top-left
+    (2). Depths beyond -1 or 1 are not covered.
 
     >>> triangle, z = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]), np.array([0.0, 0.8, 0.4])
     >>> cover(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle, z)

@@ -105,7 +105,7 @@ def cotangent_laplacian(vertices, faces):  # exercise 13.4 (4 points)
 
     vertices (V, 3), faces (F, 3). The given `mesh.edges(faces)` returns the edges, and which lies
     opposite to each corner (F, 3). An edge of one face has half of one of its `cotangents`. A
-    vertex has a third of the area of all its faces. See `demo smoothed`.
+    vertex has a third of the area of all its faces.
 
     >>> cotangent_laplacian(np.array([[0.0, 0, 0], [6, 0, 0], [0, 3, 0]]), np.array([[0, 1, 2]]))
     (array([[0, 1],

@@ -106,8 +106,8 @@ def loop_rows(faces, edges, corner_edge, u):  # exercise 11.5 (5 points)
     """A step of Loop as a matrix S: (3) with w = 1/8, and (5) -> rows, columns, weights.
 
     faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`, u (V,). S has V + E rows and V
-    columns. Entries may come in any order, and add up at one place. `vertex_rows` is a step on the
-    way, `on_boundary` and `join` are given. See `demo cage`.
+    columns. Entries of one place add up. `vertex_rows` is a step on the way, `on_boundary` and
+    `join` are given. See `demo cage`.
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
