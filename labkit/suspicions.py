@@ -148,8 +148,8 @@ def in_another_shape(got, expected):
 
 def axes_in_words(came, expected, inputs=()):
     """What became of an axis, where the shapes of what came and was expected tell it, or None."""
-    if expected == ():
-        return "one number is expected: is a sum, a mean or an index missing?"
+    if () in (came, expected):
+        return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
     if sorted(came) == sorted(expected):
         return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
     if axis := the_axis(expected, came):
