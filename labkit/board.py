@@ -1,4 +1,5 @@
 """The progress board, a screen: what is done, what is not, and what to do next."""
+import ast
 import contextlib
 import functools
 import os
@@ -143,8 +144,8 @@ def next_to_do(entries, implementation, seed):
     entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
     wrong = [check for check in entry.checks if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
-    lines = [headline(entry, wrong)]
-    if entry.verdict == "failing" and entry.claims[0] and not entry.extra:
+    lines = [headline(entry)]
+    if entry.verdict == "failing" and entry.claims[1]:
         lines.append(layout([("points", entry.told_points(entry.reached))]))
     if not entry.checks:
         lines.append(layout([("wrong", f"it has no check in tests/labs/test_{entry.topic}.py")]))
@@ -201,21 +202,22 @@ def in_lecture_order(entries):
     return sorted(entries, key=place)
 
 
-def headline(entry, wrong):
-    """Which exercise is next, and how much of it is wrong."""
+def headline(entry):
+    """Which exercise is next, and how it is with it."""
     if entry.verdict == "done":
         return f"Left: the fine print of {entry.number} {entry.name}"
     line = f"Next: {entry.number} {entry.name}, {entry.verdict}"
     if entry.verdict != "failing" or not entry.checks:
         return line
     not_run = sum(check.verdict == "not run" for check in entry.checks)
-    line += f" in {len(wrong) - not_run} of {plural(len(entry.checks), 'check')}"
-    return f"{line}, {not_run} not run" if not_run else line
+    return f"{line}, {plural(not_run, 'check')} not run" if not_run else line
 
 
 def ways_on(entry, implementation, seed):
     """Rows: what runs the checks again, what to read, and what helps who is stuck."""
     yield "again", rerun(entry.blocked_by or entry.number, implementation, seed)
+    if entry.verdict == "failing" and (used := elsewhere(entry, folder(implementation))):
+        yield "uses", f"your own {', '.join(used)}: a mistake there shows here, too"
     yield "read", reading(entry, folder(implementation))
     if entry.verdict != "done" and exercises.reference(entry.topic).exists():
         solution = f"the solution is in reference/{entry.topic}.py"
@@ -223,6 +225,18 @@ def ways_on(entry, implementation, seed):
             puts_in = f"{COMMAND} close {entry.blocked_by or entry.number} --core puts it in"
             solution = puts_in if entry.blocked_by else f"{puts_in}; {solution}"
         yield "stuck", solution
+
+
+def elsewhere(entry, code):
+    """["2.6 rasterize"]: the exercises of other files that one calls, as rasterization.rasterize.
+    """
+    called = set()
+    with contextlib.suppress(OSError, ValueError):  # its checks say so
+        functions = exercises.top_level_functions(exercises.read(code / f"{entry.topic}.py"))
+        called = {ast.unparse(node.func) for function in functions if function.name == entry.name
+                  for node in ast.walk(function) if isinstance(node, ast.Call)}
+    return [f"{one.number} {one.name}" for topic in exercises.topics()
+            for one in exercises.topic_exercises(topic) if f"{topic}.{one.name}" in called]
 
 
 def reading(entry, code):

@@ -110,16 +110,15 @@ def misplaced(picture):
 def in_another_order(expected, along_axes):
     """Yield what was expected, with axes exchanged, or an axis in another order."""
     if expected.ndim == 2:
-        yield "rows and columns are swapped", expected.T
+        shapes = "({1}, {0}) instead of ({0}, {1})".format(*expected.shape)
+        yield f"it is the transpose, {shapes}: rows and columns are swapped", expected.T
     elif expected.ndim > 2:
         for axes in itertools.combinations(range(expected.ndim), 2):
             yield f"axes {axes[0]} and {axes[1]} are swapped", expected.swapaxes(*axes)
     for axis in range(expected.ndim if along_axes else 0):
         if expected.shape[axis] == 3:
-            for i, j in (0, 1), (1, 2):
-                order = [{i: j, j: i}.get(k, k) for k in range(3)]
-                yield (f"{i} and {j} are exchanged along axis {axis}",
-                       np.take(expected, order, axis))
+            for pair, order in ("0 and 1", (1, 0, 2)), ("1 and 2", (0, 2, 1)):
+                yield f"{pair} are exchanged along axis {axis}", np.take(expected, order, axis)
             for step in 1, -1:
                 yield (f"the order along axis {axis} is moved on by one",
                        np.roll(expected, step, axis))
@@ -133,6 +132,9 @@ def in_another_shape(got, expected):
     if got.size == expected.size and is_numeric(got, expected) and np.allclose(
             got.ravel(), expected.ravel(), 1e-9, equal_nan=True):
         yield "the numbers are right, the shape is not", got
+    for axis in (None, *range(expected.ndim)) if is_numeric(got, expected) and got.any() else ():
+        if np.shape(total := expected.sum(axis)) == got.shape and np.allclose(got, total, 1e-9):
+            yield f"it is summed over {'all axes' if axis is None else f'axis {axis}, too'}", got
     for axis in range(got.ndim if got.ndim == expected.ndim + 1 and is_numeric(got) else 0):
         for k in range(min(got.shape[axis], 4)):
             part = np.take(got, k, axis)
@@ -146,6 +148,8 @@ def in_another_shape(got, expected):
 
 def axes_in_words(came, expected, inputs=()):
     """What became of an axis, where the shapes of what came and was expected tell it, or None."""
+    if () in (came, expected):
+        return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
     if sorted(came) == sorted(expected):
         return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
     if axis := the_axis(expected, came):
@@ -195,8 +199,7 @@ def distorted(got, expected):
 def whole_numbers(got, expected):
     """Yield that integers came where fractions were expected."""
     if got.dtype.kind in "iu" and expected.dtype.kind == "f" and np.any(expected % 1):
-        yield ("these are integers, and fractions were expected: they come from //, int, or an "
-               "array of integers")
+        yield "these are integers, and fractions were expected: look for //, int or integer arrays"
 
 
 def scaled(got, expected, agrees, inputs):

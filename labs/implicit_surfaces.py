@@ -244,11 +244,10 @@ def camera_rays(clip_from_world, width, height):
 
 def sphere_trace(origins, directions, shape, far,  # exercise 15.3 (3 points)
                  lipschitz=1.0, epsilon=1e-5, most=200):
-    """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,).
+    """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,)
 
-    origins, directions (R, 3). A ray starts at t = 0 and hits where s, the `signed_distance`, is
-    less than epsilon. It misses, t = np.inf, if t > far or after `most` evaluations. Count those of
-    each ray. The demo `representations` shows it.
+    origins, directions (R, 3). A ray starts at t = 0, hits where s, the `signed_distance`, is less
+    than epsilon, and misses, t = np.inf, if t > far or after `most` evaluations. Count each ray's.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])
@@ -276,11 +275,11 @@ def ray_weights(density, spacing):  # step 15.4
     raise NotImplementedError("exercise 15.4: ray_weights")
 
 
-def volume_render(density, colour, spacing, background):  # exercise 15.5 (2 points)
+def volume_render(density, colour, spacing, background):  # step 15.5
     """Eqs. (5) and (6): the colours (R, C) of R rays, each cut into N pieces.
 
-    density, spacing (R, N), colour (R, N, C), background (C,). Sample 0 is the nearest. It is the
-    fog of the demo `representations`.
+    density, spacing (R, N), colour (R, N, C), background (C,). Sample 0 is the nearest. See
+    `demo representations`.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> volume_render(density, colour, np.ones((1, 2)), np.array([8.0])).round(9)
@@ -289,12 +288,12 @@ def volume_render(density, colour, spacing, background):  # exercise 15.5 (2 poi
     raise NotImplementedError("exercise 15.5: volume_render")
 
 
-def volume_render_backward(grad_output, density, colour,  # exercise 15.6 (4 points)
+def volume_render_backward(grad_output, density, colour,  # exercise 15.6 (6 points)
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
     The other inputs are those of `volume_render`. Lecture 15 has dC / dtau of one sample, tau =
-    density times spacing. Lecture 15 finds a ball in a ring by it.
+    density times spacing.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])

@@ -110,10 +110,9 @@ def barycentrics(face_index, clip, faces):  # exercise 5.6 (3 points)
     """Eq. (3) for a picture: where on its face, in space, does each pixel lie?
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> barycentric (H, W, 3), 0 where no face is seen.
-    `samples_on_faces` is given. Loop over it: it yields pixel (N,), the numbers of pixels row by
-    row, px, py (N,), their centres, and x, y, w (3, N), their faces' corners. `edge_functions_at`,
-    also given, makes e (3, N). Fill an array (H * W, 3) at [pixel], and reshape it at the end. Step
-    5.3 wants the corners last: e.T, w.T. Seen in `python3 -m course demo --impl labs bunny`.
+    Loop over the given `samples_on_faces`. It yields pixel (N,), numbered row by row, their centres
+    px, py (N,), and their faces' corners x, y, w (3, N). The given `edge_functions_at` makes e
+    (3, N). Fill an array (H * W, 3) at [pixel]. Step 5.3 wants e.T and w.T. See `demo bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics(np.array([[0, -1]]), clip, np.array([[0, 1, 2]]))
@@ -167,9 +166,8 @@ def interpolate_pixel(attributes, corners, b):  # step 5.7
 def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), for all pixels at once: the picture (H, W, C) of attributes (V, C).
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3). It is 0 where no face is seen. The given
-    `masked_scatter` puts the seen pixels' rows into a picture.
-    The smooth normals of `python3 -m course demo --impl labs bunny` are mixed by it.
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given `masked_scatter` puts the seen
+    pixels' rows into a picture, which is 0 elsewhere. See `demo bunny`.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.0, 0.0, 0.0]]])
@@ -184,9 +182,8 @@ def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.9 (3 points
     """Eq. (4) for a picture: how `barycentrics` changes by a pixel to the right, and one up.
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
-    seen. The w of the corners stay, and e changes by the normal of its edge: edge k runs from
-    corner i to corner j, (i, j) = EDGES[k], and de_k/dx, de_k/dy = y_i - y_j, x_j - x_i. The edges
-    of `python3 -m course demo --impl labs bunny` are drawn by it, and lab 6's textures.
+    seen. e_k is of the edge from i to j, (i, j) = EDGES[k], and de_k/dx = y_i - y_j, de_k/dy =
+    x_j - x_i.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics_derivatives(np.array([[0]]), clip, np.array([[0, 1, 2]]))
@@ -229,10 +226,8 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
                          barycentric):
     """Eq. (7), for all pixels at once: the backward pass of `interpolate`.
 
-    grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
-    grad_barycentric (H, W, 3), 0 where no face is seen. The given `scatter` sums what comes to a
-    vertex from all its pixels. Lab 9 finds colours by it:
-    `python3 -m course demo --impl labs taped`.
+    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3), 0 where no face is
+    seen. The given `scatter` sums what comes to a vertex from all its pixels.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

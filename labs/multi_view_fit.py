@@ -240,13 +240,12 @@ def carving_backward(grad_carving, target, faces, buffers):
     return pipeline.to_vertices(grad_fine, buffers, faces)[:, 0]
 
 
-def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (5 points)
+def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (7 points)
                              targets, weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
-    views: K Targets, for `render_views` and its backward pass. targets (K, H, W, 4): their
-    pictures. vertices, albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light,
-    grad_level. To watch: `python3 -m course demo --impl labs reconstruct`.
+    views: K Targets, for `render_views` and its backward pass. targets (K, H, W, 4). vertices,
+    albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])

@@ -106,7 +106,7 @@ def face_inverse_backward(grad_inverse, inverse):
 # --- pass 2: pixels -----------------------------------------------------------------------------
 
 
-def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.2 (2 points)
+def screen_weights_and_depth(inverse, z, x, y):  # step 10.2
     """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth z (...).
 
     inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...). Faces hide each other by it.
@@ -125,7 +125,7 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.5 
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
 
-    depth depends on z directly, and on inverse through weight. Colours inside of faces pull by it.
+    depth depends on z directly, and on inverse through weight.
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> z, x, y = np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0)
@@ -160,12 +160,11 @@ def pixel_box(triangles, width, height):
     return low[..., 0], low[..., 1], high[..., 0], high[..., 1]
 
 
-def rasterize(corners, width, height, near=0.1, far=100.0):  # exercise 10.3 (4 points)
-    """Pass 2 for all faces: which is the nearest that covers each pixel's centre? -> Maps.
+def rasterize(corners, width, height, near=0.1, far=100.0):  # exercise 10.3 (6 points)
+    """Pass 2 for all faces: which is the nearest that covers each pixel's centre? -> Maps
 
     corners (F, 3, 3) as `corners_of` has them. Only `front_faces` are seen, where near < depth <
-    far. `on_screen`, `pixel_box` and `covers` are given.
-    All of `python3 -m course demo --impl labs cubes` is drawn by it.
+    far. `on_screen`, `pixel_box` and `covers` are given. See `demo cubes`.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> maps = rasterize(corners, 4, 2)

@@ -49,9 +49,8 @@ def all_silhouettes(clip, faces, opposite, width, height):
 def neighbours(face_index, depth):  # exercise 8.6 (2 points)
     """Which neighbouring pixels see different faces? -> owner, other (N,)
 
-    face_index, depth (H, W). Neighbours lie beside or above each other. Of a pair, the pixel that
-    sees the nearer face is the owner. Pixels are numbered row * W + column, and the pairs may come
-    in any order. Without them no outline is smooth in `python3 -m course demo --impl labs borders`.
+    face_index, depth (H, W). Neighbours lie beside or above each other. The owner sees the nearer
+    face. Pixels are numbered row * W + column. Any order of pairs will do. See `demo borders`.
 
     >>> neighbours(np.array([[0, 0], [1, -1]]), np.array([[0.5, 0.5], [0.25, np.inf]]))
     (array([2, 2, 1]), array([3, 0, 3]))
@@ -65,9 +64,9 @@ def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.7 (3 po
     """By which edge does each pair's line leave a face, on the way from owner to other? -> Pairs
 
     owner, other, face (N,). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). In the
-    pair's frame, eq. (2), the line y = 0 goes from the owner to the other. Of the face's edges that
-    cross this line, eq. (3), take the one with the greatest c. `Pairs` says what belongs to each.
-    EDGES is a tuple: np.array(EDGES) can be indexed by edge (N,).
+    pair's frame (2), the line is y = 0. Of the edges that cross it (3), take the one with the
+    greatest c. `Pairs` says what belongs to each. EDGES is a tuple: np.array(EDGES) can be indexed
+    by edge (N,).
 
     >>> screen = np.array([[-9.0, 1.0, 2.0], [0.0, -1.5, 2.5], [1.0, 1.0, 1.0]])
     >>> pairs = leave_faces(*np.array([[0], [1], [0]]), screen, np.array([[0, 1, 2]]), 3)
@@ -92,12 +91,11 @@ def is_dropped(c, owner, other):
     return (c == 0.5) & (owner < other)
 
 
-def steep_pairs(pairs):  # exercise 8.8 (1 point)
+def steep_pairs(pairs):  # step 8.8
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and
-    1, or less than WINDOW outside. The given `some` takes them from the others. Shallow outlines
-    are blended twice in `python3 -m course demo --impl labs borders` without it.
+    1, or less than WINDOW outside. The given `some` takes them from the others. See `demo borders`.
 
     >>> x, y = np.array([[0.0, 0.0], [0.5, 2.0]]), np.array([[-1.0, -1.0], [1.0, 1.0]])
     >>> c = np.array([0.25, 1.0])

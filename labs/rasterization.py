@@ -81,11 +81,10 @@ def screen_weights(p, triangle):  # step 2.3
 def cover(p, triangle, z):  # exercise 2.4 (6 points)
     """Eqs. (2) to (4): does a face cover the samples, and how deep is it there?
 
-    p (..., 2): samples, a list (N, 2) or a block (h, w, 2), or none. triangle (3, 2): a face's
-    corners on screen, z (3,): their depths after the divide -> covered, bool (...), depth (...). A
-    face is seen from both sides: turn a clockwise one round, by exchanging two corners and their z.
-    The edge opposite to corner k has the ends i, j = EDGES[k]. Of the samples on an edge, those of
-    top-left edges are covered (2). Depths from -1 to 1 are covered, others are not.
+    p (..., 2): samples. triangle (3, 2): a face's corners on screen, z (3,): their depths ->
+    covered (...), depth (...). A clockwise face is seen, too: exchange two of its corners, and
+    their z. Edge k has the ends i, j = EDGES[k]. A sample on an edge is covered if that is top-left
+    (2). Depths beyond -1 or 1 are not covered.
 
     >>> triangle, z = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]), np.array([0.0, 0.8, 0.4])
     >>> cover(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle, z)
@@ -102,9 +101,8 @@ def cover(p, triangle, z):  # exercise 2.4 (6 points)
 def bounding_box(triangle, width, height):  # exercise 2.5 (2 points)
     """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
-    triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. x0 is the first column j
-    with its centre, j + 0.5, in the box, and x1 is one past the last. The box is MARGIN wider than
-    the triangle on each side, for rounding.
+    triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. The box is MARGIN wider than
+    the triangle on each side, for rounding. Column j has its centre at j + 0.5.
 
     >>> bounding_box(np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]]), 8, 8)
     (0, 0, 3, 1)
@@ -157,9 +155,9 @@ def cull_back_faces(x, y, w, faces):  # extra 2.7 (2 points)
 def rasterize(clip, faces, width, height):  # exercise 2.6 (5 points)
     """What each pixel sees: for each face, and all pixels of its box, keep the least depth.
 
-    clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
-    seen. The given `screen_points` says where the vertices are. The depth of one is z / w.
-    All pictures of the course are drawn by it: `python3 -m course demo --impl labs bunny ties cut`.
+    clip (V, 4), faces (F, 3) -> face_index, depth (height, width): -1 and np.inf where no face is
+    seen. The given `screen_points` says where the vertices are, and z / w how deep. See
+    `demo bunny ties cut`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize(clip, np.array([[0, 1, 2]]), 3, 2)

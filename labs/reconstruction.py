@@ -103,7 +103,7 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.4 (5 
     """Backward of eq. (4), which is `course.given.mesh.vertex_normals`.
 
     grad_normals, vertices (V, 3), faces (F, 3) -> grad_vertices (V, 3). `mesh.area_vectors` gives
-    the cross products. By it, shading shapes what the demo `reconstruct` finds.
+    the cross products. See `demo reconstruct`.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
@@ -121,12 +121,12 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.4 (5 
 # --- what the pictures say: eq. (5) and (6) -----------------------------------------------------
 
 
-def picture_loss(picture, target, weight):  # exercise 16.5 (2 points)
+def picture_loss(picture, target, weight):  # step 16.5
     """Eq. (5), of one picture or several of one size -> the loss, a number, and grad_picture
     (..., 4).
 
     picture, target (..., 4): red, green, blue, and how much of the pixel is covered. Each mean is
-    over its own numbers: three times as many are of colour. It leads the demo `reconstruct`.
+    over its own numbers: three times as many are of colour.
 
     >>> picture, target = np.array([[[1.0, 2, 3, 1.0]]]), np.array([[[1.0, 2, 0, 0.5]]])
     >>> picture_loss(picture, target, 4.0)
@@ -154,10 +154,10 @@ def level_backward(grad_level, ends, distance):  # extra 16.6 (2 points)
 
 
 def sign_changes(distance, edges):  # exercise 16.7 (3 points)
-    """Eq. (7), summed over the crossed edges: what does it cost to change sign, and its gradient?
+    """Eq. (7): what do the changes of sign cost in all? -> price, grad_distance (G,)
 
-    distance (G,), edges (E, 2), either end first -> the price, a number, grad_distance (G,). The
-    edges that are crossed stay crossed. It removes crumbs in the demo `reconstruct`.
+    distance (G,), edges (E, 2), either end first. The edges that are crossed stay crossed. See
+    `demo reconstruct`.
 
     >>> distance, edges = np.array([-np.log(3), np.log(3), 0.0]), np.array([[0, 1], [2, 0], [1, 2]])
     >>> price, grad_distance = sign_changes(distance, edges)

@@ -92,7 +92,7 @@ def band_pass(picture, low, high):  # extra 3.3 (2 points)
 
 
 def convolve(picture, kernel):  # exercise 3.4 (3 points)
-    """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
+    """Filter a picture, by eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
     h and w are odd, and kernel[h // 2, w // 2] is g_0.
 
@@ -135,9 +135,8 @@ def box_spectrum(width, n):  # extra 3.6 (2 points)
 def sampled_spectrum(spectrum, step, limit):  # exercise 3.7 (3 points)
     """Eq. (6) along y and along x: the spectrum of every step-th pixel, after an ideal filter.
 
-    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W. The filter
-    drops what has |f_y| >= limit or |f_x| >= limit, see `frequencies`. np.inf drops nothing. Rings
-    without false ones: `python3 -m course demo --impl labs aliasing`.
+    spectrum (H, W), complex -> (H / step, W / step). The filter drops what has |f_y| >= limit or
+    |f_x| >= limit, by `frequencies`. See `demo aliasing`.
 
     >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2, np.inf)
     array([[3.5, 0.5]])
@@ -206,11 +205,10 @@ def polygon_area(polygon):
 
 
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.10 (4 points)
-    """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
+    """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width)
 
-    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), the
-    given `polygon_area`. The triangle may be clockwise. Your own, without stairs:
-    `python3 -m course demo --impl labs aliasing`.
+    Clip it by the pixel's four sides (`clip_polygon`), and take the area that is left (8), by the
+    given `polygon_area`. The triangle may be clockwise. See `demo aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
     array([[0.   , 0.375, 0.5  , 0.   ],
@@ -250,9 +248,8 @@ def clamped_area(polygon, x, y):  # extra 3.11 (3 points)
 def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.12 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two
-    neighbouring `cuts`, which is given, lies inside a square if its middle does. It pulls at both
-    ends of the edge, as in `python3 -m course demo --impl labs aliasing`.
+    polygon (N, 2), x, y (P,): the squares' lower left corners. A piece of an edge between two of
+    the given `cuts` lies inside a square if its middle does. It pulls at both ends of the edge.
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> clamped_area_backward(np.array([2.0]), square / 2, np.zeros(1), np.zeros(1))[2]

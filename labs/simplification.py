@@ -115,10 +115,9 @@ def boundary_planes(vertices, faces):  # extra 12.5 (3 points)
 def surface_quadrics(vertices, faces):  # exercise 12.4 (3 points)
     """Eq. (3) for all vertices, and the planes that hold the boundary: (V, 4, 4).
 
-    vertices (V, 3), faces (F, 3). A face counts at its three vertices, with its area. Each plane of
-    `boundary_planes` counts at both ends of its edge, with BOUNDARY_WEIGHT times the square of the
-    edge's length. `face_planes` and `scatter` are given. They choose what is left of the bunny in
-    `python3 -m course demo --impl labs simplified`.
+    vertices (V, 3), faces (F, 3). A face counts at its three vertices, with its area. Each of
+    `boundary_planes` counts at both ends of its edge, with BOUNDARY_WEIGHT times the edge's length
+    squared. `face_planes` and `scatter` are given. See `demo simplified`.
 
     >>> triangle = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> surface_quadrics(triangle, np.array([[0, 1, 2]]))[0].diagonal()
@@ -196,11 +195,11 @@ def best_anywhere(q):  # step 12.6
 
 
 def pair_costs(vertices, quadrics, pairs):  # exercise 12.7 (3 points)
-    """Eq. (4): the place of each pair, (N, 3), and its cost there, (N,).
+    """Eq. (4): where does each pair go, and at what cost? -> places (N, 3), costs (N,)
 
-    vertices (V, 3), quadrics (V, 4, 4) symmetric, pairs (N, 2). Eq. (5) is used where the least
-    eigenvalue of A (`np.linalg.eigvalsh`) is greater than LEAST_CURVATURE times the greatest. Else
-    eq. (6) is used where it is unique, and eq. (7) elsewhere: `best_on_segment`, `best_of_three`.
+    vertices (V, 3), quadrics (V, 4, 4), pairs (N, 2). Eq. (5) is used where the least eigenvalue of
+    A (`np.linalg.eigvalsh`) is greater than LEAST_CURVATURE times the greatest, else (6) where it
+    is unique, else (7): `best_on_segment`, `best_of_three`.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]])
     >>> quadrics = plane_quadrics(np.array([[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, -4.0]]))
@@ -269,8 +268,7 @@ def why_refused(vertices, faces, a, b, position):  # exercise 12.10 (3 points)
 
     vertices (V, 3), faces (N, 3): at least all that have a or b, of a closed surface. The first
     reason counts. `has_twins` asks about the faces that are left, `flips` about their corners
-    before and after. A face with the vertex V (`outside`) has no place and does not flip. See
-    `demo simplified`.
+    before and after. A face with the vertex V (`outside`) does not flip.
 
     >>> ring = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> x = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])

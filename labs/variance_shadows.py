@@ -92,8 +92,8 @@ def lit_by_moments(moments, uv, distance, radius,  # exercise 14.9 (2 points)
     """Eqs. (8) and (9): the largest share of the light that can come to the receivers -> (N,).
 
     moments (H, W, 2): each texel's distance and its square. `box_blur` them by radius, and read
-    them at uv (N, 2) by `mipmapping.texture` with boundary="clamp". distance (N,). Unless
-    0 <= u < 1 and 0 <= v < 1, all is lit.
+    them at uv (N, 2) by `mipmapping.texture`, boundary="clamp". distance (N,). Unless 0 <= u < 1
+    and 0 <= v < 1, all is lit.
 
     >>> moments, distance = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([3.0, 3.0, 2.0, 9.0])
     >>> uv = np.array([[0.5, 0.5], [0.3, 0.5], [0.5, 0.5], [1.0, 0.5]])
@@ -106,10 +106,10 @@ def lit_by_moments(moments, uv, distance, radius,  # exercise 14.9 (2 points)
 def lit_by_moments_backward(grad_lit, moments, uv, distance,  # exercise 14.10 (4 points)
                             radius, least_variance):
     """Backward of `lit_by_moments`: grad_lit (N,) -> grad_moments (H, W, 2), grad_uv (N, 2),
-    grad_distance (N,). Where the variance is floored, it is a constant.
+    grad_distance (N,).
 
-    `box_blur_backward` is given, `mipmapping.texture_backward` returns grad_image, then grad_uv.
-    A light finds its place: `python3 -m course demo --impl labs light_from_shadow`.
+    Where the variance is floored, it is a constant. `box_blur_backward` is given,
+    `mipmapping.texture_backward` returns grad_image, then grad_uv. See `demo light_from_shadow`.
 
     >>> moments, uv = np.array([[[1.0, 1.0], [3.0, 9.0]]]), np.array([[0.5, 0.5]])
     >>> lit_by_moments_backward(np.ones(1), moments, uv, np.array([3.0]), 0, 0.1)

@@ -44,11 +44,10 @@ class Pairs(NamedTuple):
 
 
 def opposite_corners(faces):  # exercise 8.1 (3 points)
-    """Which corner lies across each edge of each face? Its number, 3 * face + corner; -1 for none.
+    """Which corner lies across each edge of each face? 3 * face + corner, or -1 for none.
 
-    faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
-    is the third corner of the other face at this edge, wound either way. Inner edges are blended
-    like borders in `python3 -m course demo --impl labs borders` if it is wrong.
+    faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. Across is
+    the third corner of the other face at this edge, wound either way. See `demo borders`.
 
     >>> opposite_corners(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 5, -1, -1],
@@ -73,11 +72,10 @@ def opposite_corners(faces):  # exercise 8.1 (3 points)
 
 
 def silhouette_edges(x, y, w, faces, across):  # exercise 8.2 (3 points)
-    """Eq. (1): at which edges does the surface end, or fold on screen?
+    """Eq. (1): at which edges does the surface end, or fold on screen? -> bool (F, 3)
 
-    x, y, w (V,) of `screen_points`, all w > 0, faces (F, 3), across (F, 3) the vertices across
-    their edges, -1 for none -> bool (F, 3). It folds if vertex k and the one across lie on one
-    side of edge k.
+    x, y, w (V,) of `screen_points`, all w > 0, faces (F, 3), across (F, 3): the vertices across
+    their edges, -1 for none. It folds if vertex k and the one across lie on one side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, across = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -188,10 +186,10 @@ def last_crossing(x, y, w):  # step 8.5
 
 
 def blend_pairs(colour, pairs):  # exercise 8.9 (2 points)
-    """Eqs. (4) and (5) for all pairs: colour (H, W, C) -> output (H, W, C).
+    """Blend all pairs, by eqs. (4) and (5): colour (H, W, C) -> output (H, W, C).
 
     Of the `Pairs` you need owner, other, c (N,). Pixels are numbered row * W + column, and one may
-    be in several pairs. Every picture of `python3 -m course demo --impl labs borders` ends here.
+    be in several pairs. See `demo borders`.
 
     >>> pairs = Pairs(np.array([0, 2]), np.array([1, 1]), np.array([0.25, 1.0]), *5 * [None])
     >>> blend_pairs(np.array([[[0.0], [1.0], [5.0]]]), pairs)
@@ -233,9 +231,8 @@ def blend_pairs_backward(grad_output, colour, pairs, clip,  # exercise 8.11 (4 p
     """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
     pairs: of `steep_pairs`. clip (V, 4). Go back through (5) and (4) to c, which has a gradient
-    where 0 < c < 1. Then go through (3) to its edge's ends, pairs.x and pairs.y (2, N), and through
-    (2) to the screen. The given `ends_backward` takes them, and grad_x and grad_y (2, N) there, to
-    the vertices. Lab 9 moves outlines by it: `python3 -m course demo --impl labs fit_triangle`.
+    where 0 < c < 1, through (3) to its edge's ends, pairs.x and pairs.y (2, N), and through (2) to
+    the screen. The given `ends_backward` takes grad_x and grad_y (2, N) there to the vertices.
 
     >>> ends = np.array([[0], [1]]), np.array([[0.0], [0.5]]), np.array([[-1.0], [1.0]])
     >>> pairs = Pairs(np.array([0]), np.array([1]), np.array([0.25]), *ends, None, None)

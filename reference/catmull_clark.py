@@ -60,9 +60,9 @@ def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # step 11.
 def catmull_clark_slow(vertices, corners, counts):  # exercise 11.7 (3 points)
     """A whole step, point by point: eqs. (7) to (9), then `catmull_clark_faces`.
 
-    vertices (V, C), corners, counts -> vertices (V + E + F, C): the old ones, the edges in the
-    order of `faces_at_edges`, which is that of `edges_of`, then one for each of `polygons`; and the
-    quads. `ring_of` tells who is near. See `python3 -m course demo --impl labs house`.
+    vertices (V, C), corners, counts -> vertices (V + E + F, C), quads. The old vertices come first,
+    then the edges in the order of `faces_at_edges`, then the faces in that of `polygons`. `ring_of`
+    tells who is near. See `demo house`.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
     >>> vertices, quads = catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))

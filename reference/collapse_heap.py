@@ -171,12 +171,12 @@ def collapse(state, entry):
 
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.13 (3 points)
-    """`simplify_loop` by a heap: vertices (V, 3), faces (F', 3), refused (3,), one for each reason.
+    """`simplify_loop` by a heap -> vertices (V, 3), faces (F', 3), refused (3,).
 
-    Begin with `initial_state`. While more than face_count faces are left: push new `entries` of the
-    pairs that `out_of_date` returns, until it returns none. Pop the top, if any. `why_refused` asks
-    about `rows_around`. Either count the reason and let the entry `wait`, or `collapse` it, which
-    says how many faces went. End with `open_faces`. See `demo simplified`.
+    refused counts each reason. Begin with `initial_state`. While more than face_count faces are
+    left: push new `entries` of the pairs that `out_of_date` returns, until it returns none. Pop the
+    top, if any. `why_refused` asks about `rows_around`. Either count its reason and let the entry
+    `wait`, or `collapse` it, which says how many faces went. End with `open_faces`.
 
     >>> vertices, faces = mesh.grid(32)
     >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)

@@ -20,7 +20,7 @@ import numpy as np
 from course.given.arrays import scatter
 
 
-def squared_error(picture, target):  # exercise 9.1 (1 point)
+def squared_error(picture, target):  # step 9.1
     """Eq. (2): how far is a picture from its target, and how should each value change?
 
     picture, target: floats of one shape -> the loss, a number, and its gradient grad_picture.
@@ -37,8 +37,8 @@ def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.4 (3 points)
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
-    x, grad_x (g), mean (m) and square (s) are arrays of one shape, step (n) and rate are numbers,
-    and the constants are b1, b2, epsilon.
+    x, grad_x (g), mean (m) and square (s) have one shape, step (n) and rate are numbers, and the
+    constants b1, b2, epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)
@@ -175,12 +175,11 @@ def rotation_angle(p, q):  # extra 9.11 (2 points)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
-def silhouette_loss(coverage, target):  # exercise 9.5 (3 points)
+def silhouette_loss(coverage, target):  # exercise 9.5 (4 points)
     """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
 
-    coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered -> the
-    loss, a number, and its gradient grad_coverage.
-    Watch it: `python3 -m course demo --impl labs fit_bunny`.
+    coverage, target: floats of one shape, from 0 to 1 -> the loss, a number, and its gradient
+    grad_coverage. See `demo fit_bunny`.
 
     >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0]))
     (np.float64(0.5), array([ 0.16666667, -0.33333333, -0.33333333,  0.16666667]))

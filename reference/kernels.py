@@ -72,8 +72,8 @@ def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
-    Each fragment does key[p] = min(key[p], its key), all in np.int64, of which the largest is
-    2^62 + face. The face is found in the key. It draws the fragments of the demo `tiles`.
+    Each does key[p] = min(key[p], its key) in np.int64, of which the largest is 2^62 + face. The
+    face is found in the key. See `demo tiles`.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -122,11 +122,10 @@ def mixed_at_once(e, a):  # extra 17.3 (2 points)
 
 @kernel
 def bins(bin_of, count):  # exercise 17.4 (3 points)
-    """Eq. (5): which items are in each of count bins?
+    """Eq. (5): which items are in each of count bins? -> start (count + 1,), item (N,)
 
-    bin_of (N,): the bin of each item n -> start (count + 1,), item (N,). A bin's items stand in the
-    order of their numbers. Three loops do it: count, add the counts up, fill. The demo `tiles` bins
-    faces and pixels.
+    bin_of (N,): the bin of each item n. A bin's items stand in the order of their numbers. Three
+    loops do it: count, add the counts up, fill.
 
     >>> bins(np.array([2, 0, 2, 2, 0]), 4)
     (array([0, 2, 2, 5, 5]), array([1, 4, 0, 2, 3]))
@@ -146,12 +145,11 @@ def bins(bin_of, count):  # exercise 17.4 (3 points)
 
 @kernel
 def tile_lists(boxes, size, across, down):  # exercise 17.5 (4 points)
-    """Eq. (5) for tiles: which faces does each have to look at? -> start (across down + 1,), item.
+    """Eq. (5) for tiles: which faces must each look at? -> start (across down + 1,), item
 
-    boxes (F, 4) as in `writers`, with a pixel at least. Tiles are size pixels wide and high, across
-    of them in a row, down rows of them: tile i across + j. Its list are the faces whose box shares
-    a pixel with it, in their order. `writers`, asked of tiles, says how many pairs of a face and a
-    tile there are, and `bins` sorts them. The bunny of the demo `tiles` is drawn by these lists.
+    boxes (F, 4) as in `writers`, none empty. Tiles are size pixels wide and high. Tile i across + j
+    lists, in order, the faces whose box shares a pixel with it. `writers`, asked of tiles, counts
+    the pairs, and `bins` sorts them. See `demo tiles`.
 
     >>> tile_lists(np.array([[0, 0, 2, 2], [3, 1, 5, 2]]), 4, 2, 1)
     (array([0, 2, 3]), array([0, 1, 1]))
@@ -174,8 +172,7 @@ def tile_lists(boxes, size, across, down):  # exercise 17.5 (4 points)
 def gathered(start, item, values):  # exercise 17.6 (2 points)
     """Eq. (6): for each bin, the sum of its items' values, added in their order.
 
-    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). A thread a bin. It paints the
-    demo `tiles`.
+    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). A thread a bin. See `demo tiles`.
 
     >>> start, item = np.array([0, 2, 2, 3]), np.array([0, 2, 1])
     >>> gathered(start, item, np.array([[1.0, 5.0], [10.0, 6.0], [100.0, 7.0]]))
@@ -214,13 +211,13 @@ def invert_face(face, triangles, inverse):
 
 @kernel
 def three_passes(triangles, z, colours, lists, size, width, height):  # exercise 17.7 (6 points)
-    """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels, tile by tile.
+    """Eqs. (7) to (9): neural_renderer's forward pass as kernels -> picture (height, width, C).
 
-    triangles (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C), lists: start
-    and item of `tile_lists`, tiles of size pixels -> picture (height, width, C), 0 where no face is
-    seen. Pass 1 is the given `invert_face` for each face: nan marks one without area, which covers
-    nothing. Passes 2 and 3 are one loop over pixels, sampled at (j + 0.5, i + 0.5). A pixel looks
-    at its tile's faces alone. Of equally deep ones, the first is seen. See the demo `tiles`.
+    triangles (F, 3, 2): corners in pixels, z (F, 3) > 0, colours (F, 3, C), lists: start and item
+    of `tile_lists`, of tiles of size pixels. Pass 1 is the given `invert_face`: nan marks a face
+    without area, which covers nothing. Passes 2 and 3 are one loop over pixels, sampled at
+    (j + 0.5, i + 0.5). A pixel looks at its tile's faces alone, sees the first of equally deep
+    ones, and is 0 without one. See `demo tiles`.
 
     >>> triangles, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
     >>> colours, lists = np.array([[[8.0], [4.0], [4.0]]]), (np.array([0, 1, 1]), np.array([0]))

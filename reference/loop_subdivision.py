@@ -67,12 +67,12 @@ def loop_faces(faces, corner_edge, vertex_count):  # step 11.2
 # Point by point: slow and obvious
 
 
-def loop_slow(vertices, faces, u):  # exercise 11.3 (4 points)
-    """A whole step of Loop, point by point: eqs. (3), with w = 1/8, and (5), then `loop_faces`.
+def loop_slow(vertices, faces, u):  # exercise 11.3 (5 points)
+    """A whole step of Loop, point by point: (3) with w = 1/8, (5), then `loop_faces`.
 
-    vertices (V, C), faces (F, 3), u (V,) -> vertices (V + E, C): the old ones, then the edges in
-    the order of `faces_at_edges`, which is that of `edges_of`; and the new faces (4 F, 3).
-    `ring_of` tells who is near. A ring is rounded in `python3 -m course demo --impl labs rounded`.
+    vertices (V, C), faces (F, 3), u (V,) -> vertices (V + E, C), faces (4 F, 3). The old vertices
+    come first, then the edges in the order of `faces_at_edges`. `ring_of` tells who is near. See
+    `demo rounded`.
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> vertices, faces = loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
@@ -102,13 +102,12 @@ def loop_slow(vertices, faces, u):  # exercise 11.3 (4 points)
 # The same as one matrix, S. Its transpose is the gradient.
 
 
-def loop_rows(faces, edges, corner_edge, u):  # exercise 11.5 (4 points)
-    """Eqs. (3), with w = 1/8, and (5) as one matrix S: its entries (rows, columns, weights), of
-    V + E rows and V columns, in any order.
+def loop_rows(faces, edges, corner_edge, u):  # exercise 11.5 (5 points)
+    """A step of Loop as a matrix S: (3) with w = 1/8, and (5) -> rows, columns, weights.
 
-    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`, u (V,). `vertex_rows` is a step
-    on the way. Entries of one place add up. `on_boundary` and `join` are given. A cage steers its
-    surface by it: `python3 -m course demo --impl labs cage`.
+    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`, u (V,). S has V + E rows and V
+    columns. Entries of one place add up. `vertex_rows` is a step on the way, `on_boundary` and
+    `join` are given. See `demo cage`.
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
@@ -197,8 +196,8 @@ def loop_surface(cage, faces, steps):
 def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.9 (2 points)
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
-    grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. It
-    pulls a cage to the bunny: `python3 -m course demo --impl labs cage`.
+    grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. See
+    `demo cage`.
 
     >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
     >>> grad_surface = np.zeros((10, 1))

@@ -108,12 +108,12 @@ def zero_crossing(p_a, p_b, s_a, s_b):
 
 
 def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.8 (6 points)
-    """The surface of all tetrahedra as a mesh: vertices (V, 3), faces (F, 3), ends (V, 2).
+    """The surface of all tetrahedra as a mesh -> vertices (V, 3), faces (F, 3), ends (V, 2).
 
     points (G, 3), distance (G,), tetrahedra (T, 4): 3 sees 0, 1, 2 counter-clockwise. From outside,
     faces are seen so. Each crossed edge has one vertex, its `zero_crossing`. ends are the edge's
-    points, inside first. Vertices are sorted by them. Loop over the 16 cases, not over T. It makes
-    the meshes of the demos `representations` and `hole`.
+    points, inside first, and vertices are sorted by them. Loop over the 16 cases, not over T. See
+    `demo representations hole`.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])
@@ -161,8 +161,8 @@ def marching_tetrahedra_backward(grad_vertices, ends, points,  # exercise 15.10 
     """Backward of `marching_tetrahedra`: grad_vertices (V, 3) -> grad_points (G, 3), grad_distance
     (G,).
 
-    ends (V, 2) are held: vertex v lies between the points ends[v]. A point gets the sum of what all
-    of its vertices have for it (`scatter`). The demo `hole` opens one by it.
+    ends (V, 2) are held: vertex v lies between the points ends[v]. A point sums (`scatter`) what
+    all of its vertices have for it. See `demo hole`.
 
     >>> points, distance = np.diag([0.0, 4.0, 8.0]), np.array([3.0, -1.0, 1.0])
     >>> grad_vertices, ends = np.array([[0.0, 4, 0], [0, 2, 0]]), np.array([[1, 0], [1, 2]])

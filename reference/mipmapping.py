@@ -60,9 +60,8 @@ def halve(image):  # step 6.5
 def pyramid(image, max_level=None):  # exercise 6.6 (2 points)
     """Eq. (5): all levels (T_0, T_1, ...), from image (h, w, C) itself down to 1 x 1 texel.
 
-    It ends at level max_level, if that is a number, and where a side is odd and not 1. (nvdiffrast
-    refuses such a texture.)
-    The far half of `python3 -m course demo --impl labs floor` is drawn with them.
+    It ends at level max_level, if that is a number, and where a side is odd and not 1. See
+    `demo floor`.
 
     >>> [level.shape for level in pyramid(np.zeros((12, 4, 3)))]
     [(12, 4, 3), (6, 2, 3), (3, 1, 3)]
@@ -105,9 +104,8 @@ def in_texels(jacobian, width, height):
 def mip_level(jacobian, width, height):  # exercise 6.7 (2 points)
     """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
-    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y. The given `in_texels` gives those of s and t.
-    The texture has width x height texels. The far floor of
-    `python3 -m course demo --impl labs floor` needs it.
+    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, for a texture of width x height texels. The
+    given `in_texels` gives those of s and t.
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.0, 0.03125], [0.0625, 0.0]]])
     >>> mip_level(jacobian, 16, 16)
@@ -202,11 +200,11 @@ def mixture(level, filter_mode, top):
 
 
 def taps(uv, level, mipmap, sampler):  # exercise 6.9 (3 points)
-    """Eqs. (3) and (7): all texels that make a pixel's colour: index, weight, inside (N, K).
+    """Eqs. (3) and (7): all texels that make a pixel's colour -> index, weight, inside (N, K).
 
-    uv (N, 2), level (N,). K = 4, or 8 if two levels are mixed, or 1 for the filter "nearest", by
-    the given `nearest_at`. The given `mixture` says which levels, and their shares. Level l of the
-    Mipmap begins at number start[l]. It calms `python3 -m course demo --impl labs floor` far away.
+    uv (N, 2), level (N,). The given `mixture` says which levels, one or two, and their shares. Each
+    gives the 4 of `texels_at`, or for the filter "nearest" the one of the given `nearest_at`. Level
+    l begins at number mipmap.start[l]. See `demo floor`.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> how = Sampler("linear-mipmap-linear", "wrap", None)
@@ -226,9 +224,8 @@ def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):  # exercise 
     """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
 
     Inside, a weight is share * row's weight * column's weight. Trilinear shares are 1 - f and f,
-    and the given `blend_levels_backward` goes from f to the level. Other filters have no
-    grad_level, and "nearest" has no grad_uv. `python3 -m course demo --impl labs floor` finds by it
-    where a texture lies, and how blurred.
+    and the given `blend_levels_backward` goes from f to the level. Other filters have a grad_level
+    of 0, and "nearest" a grad_uv of 0. See `demo floor`.
 
     >>> mipmap = pack((np.zeros((4, 4, 1)), np.zeros((2, 2, 1))))
     >>> look = np.array([[0.5, 0.1875]]), np.array([0.75]), mipmap

@@ -112,9 +112,8 @@ def centre_sample(clip, offset, width, height):  # step 4.4
 def rasterize_samples(clip, faces, width, height, pattern):  # exercise 4.5 (2 points)
     """Eq. (4): the face and the depth of every sample, each by your own `rasterize` of lab 2.
 
-    clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index (S, height, width), -1 where no face is
-    seen, depth (S, height, width). `centre_sample` is a step on the way. Smooth outlines:
-    `python3 -m course demo --impl labs msaa`.
+    clip (V, 4), faces (F, 3), pattern (S, 2) -> face_index, depth (S, height, width).
+    `centre_sample` is a step on the way. See `demo msaa`.
 
     >>> clip = np.array([[-1.0, -1, 0, 1], [0, -1, 0, 1], [0, 3, 0, 1], [-1, 3, 0, 1]])
     >>> faces = np.array([[0, 1, 2], [0, 2, 3]])  # the left half of the picture
@@ -183,9 +182,8 @@ def supersample(clip, faces, width, height, n, shade, background):
 def shading_requests(face_index):  # exercise 4.7 (4 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
-    face_index (S, H, W). N pairs in any order -> pixel (N,) = row * W + column, face (N,), and
-    request (S, H, W), the number of each sample's pair, or -1. How few shades the bunny
-    takes: `python3 -m course demo --impl labs msaa`.
+    face_index (S, H, W) -> pixel, face (N,), request (S, H, W): N pairs in any order, pixel =
+    row * W + column, and the number of each sample's pair, or -1.
 
     >>> shading_requests(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
     [[[0, -1]], [[0, 3]], [[1, 2]]]
@@ -209,7 +207,7 @@ def resolve(shade, request, background):  # exercise 4.8 (3 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
     shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
-    background. It draws all of `python3 -m course demo --impl labs msaa`.
+    background. See `demo msaa`.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
@@ -233,8 +231,7 @@ def resolve(shade, request, background):  # exercise 4.8 (3 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.10 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered. `scatter` of arrays.py is given. A ball gets its colours
-    back from a few pixels by it: `python3 -m course demo --impl labs msaa`.
+    What `resolve` gathers is scattered, by the given `scatter`. See `demo msaa`.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))

@@ -32,8 +32,7 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
     As `leave_faces`, but for corner (N,), numbered 3 * face + corner as in `opposite_corners`. The
     line comes in by the edge across from this corner. Its ends lie on different sides of the line
     y = 0, and the corner on the side of one of them. The line leaves between the corner and the
-    other end. A wrong step leaves stairs on the ball of
-    `python3 -m course demo --impl labs borders`.
+    other end. See `demo borders`.
 
     >>> screen = np.array([[0.0, 0.5, 2.0], [-1.5, 2.5, 2.5], [1.0, 1.0, 1.0]])
     >>> pairs = enter_faces(*np.array([[0], [1], [2]]), screen, np.array([[0, 1, 2]]), 3)
@@ -64,11 +63,9 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
 def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (5 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
-    The first steps are done: pairs are those of `leave_faces`. Go on from face to face, by
-    `enter_faces`, as long as c < 1, the edge is no silhouette, bool (F, 3), and the face across is
-    not goal (N,), which the other pixel sees. Take a step for all pairs that still walk at once.
-    opposite (F, 3) is made by `opposite_corners`. `python3 -m course demo --impl labs borders`
-    draws with it.
+    pairs: the first steps, of `leave_faces`. Go on by `enter_faces` as long as c < 1, the edge is
+    no silhouette, bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is
+    not goal (N,), which the other pixel sees. Take a step for all pairs at once.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
@@ -100,14 +97,13 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (2 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3 points)
     """The pairs of neighbours with an outline between their centres -> Pairs
 
-    First the owner's surface walks, and the given `is_outline` says where it found one. It may
-    pass the other's centre (c >= 1) without one. If that pixel sees a face, this face hides it, and
-    walks from there: owner and other change places. face_index, depth (H, W), clip (V, 4), faces,
-    opposite (F, 3). `all_silhouettes` is given. The outlines of
-    `python3 -m course demo --impl labs borders` are found by it.
+    First the owner's surface walks, and the given `is_outline` says where it found one. If it
+    passes the other's centre (c >= 1) without one, and that pixel sees a face, this walks from
+    there: owner and other change places. face_index, depth (H, W), clip (V, 4), faces, opposite
+    (F, 3). `all_silhouettes` is given.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])

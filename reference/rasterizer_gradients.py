@@ -75,12 +75,11 @@ def padded_sum(e, epsilon):
 
 def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (6 points)
                           epsilon=0.0):
-    """Backward of a whole picture's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
+    """Backward of lab 5's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
     face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
     the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, to x and y, and to clip space,
-    where each vertex sums what all its pixels say.
-    Every fit of a coloured shape runs on it: `python3 -m course demo --impl labs taped`.
+    and sum at each vertex. See `demo taped`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
     >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2

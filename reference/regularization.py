@@ -102,12 +102,11 @@ def cotangents(triangles):  # step 13.3
 
 
 def cotangent_laplacian(vertices, faces):  # exercise 13.4 (4 points)
-    """Eq. (3) and M: the edges (E, 2) of a mesh, their weights (E,), and areas (V,), the masses.
+    """Eq. (3) and the masses of a mesh -> edges (E, 2), weights (E,), areas (V,).
 
-    vertices (V, 3), faces (F, 3). The given `mesh.edges(faces)` returns the edges, and face_edges
-    (F, 3): which of them lies opposite to each corner. An edge of one face has half of one
-    cotangent. The mass of a vertex is a third of the area of all its faces. `cotangents` is a step
-    on the way. A rough bunny becomes smooth by it: `python3 -m course demo --impl labs smoothed`.
+    vertices (V, 3), faces (F, 3). The given `mesh.edges(faces)` returns the edges, and which lies
+    opposite to each corner (F, 3). An edge of one face has half of one of its `cotangents`. A
+    vertex has a third of the area of all its faces.
 
     >>> cotangent_laplacian(np.array([[0.0, 0, 0], [6, 0, 0], [0, 3, 0]]), np.array([[0, 1, 2]]))
     (array([[0, 1],
@@ -125,11 +124,11 @@ def cotangent_laplacian(vertices, faces):  # exercise 13.4 (4 points)
     return edges, weights, areas
 
 
-def laplacian_entries(edges, weights, vertex_count):  # exercise 13.5 (2 points)
+def laplacian_entries(edges, weights, vertex_count):  # step 13.5
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up. Every step
-    of `python3 -m course demo --impl labs smoothed relaxation` solves with it, or multiplies.
+    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up. See
+    `demo smoothed relaxation`.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -250,10 +249,10 @@ def smooth_explicit(x, edges, weights, mass, step):
     return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
-def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.8 (2 points)
+def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.8 (3 points)
     """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C), also for C = 1.
 
-    `laplacian` gives L. Noise goes by it in `python3 -m course demo --impl labs smoothed`.
+    `laplacian` gives L. See `demo smoothed`.
 
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
@@ -330,12 +329,11 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.13 (3 points)
+def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.13 (4 points)
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
-    x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
-    edges (E, 2), weights (E,) and lambda, all >= 0. A ball becomes a bunny by it:
-    `python3 -m course demo --impl labs large_steps`.
+    x, grad_x (V, C). mean, square (V, C), step and rate belong to u. spread: edges (E, 2), weights
+    (E,) and lambda >= 0. See `demo large_steps`.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> spread = np.array([[0, 1]]), np.ones(1), 1.0

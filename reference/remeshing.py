@@ -99,10 +99,10 @@ def can_flip(vertices, faces, quads):
 def flip_best(vertices, faces, quads, quad_faces, gain=None):  # exercise 13.11 (4 points)
     """Flip, all at once, the edges whose flip is best -> faces (F, 3).
 
-    quads (N, 4), quad_faces (N, 2): some of `edge_quads`. gain (N,): what each flip gains. None:
-    by (8), `delaunay_gain`. A flip must gain more than LEAST_GAIN, and `can_flip` must allow it. Of
-    those, flip each one that gains more than all others at its four vertices. `flip` is given. The
-    teapot becomes round: `python3 -m course demo --impl labs relaxation`.
+    quads (N, 4), quad_faces (N, 2): some of `edge_quads`. gain (N,) of each flip, or None for
+    `delaunay_gain`. A flip must gain more than LEAST_GAIN, and `can_flip` must allow it. Of those,
+    flip each one that gains more than all others at its four vertices. `flip` is given. See
+    `demo relaxation`.
 
     >>> vertices = np.array([[-3.0, 0, 0], [3, 0, 0], [0, 1, 0], [0, -1, 0]])
     >>> faces = np.array([[0, 1, 2], [1, 0, 3]])

@@ -167,11 +167,10 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
 
 def hard_shadow(points, normals, light, distance_map,  # exercise 14.5 (4 points)
                 constant, factor=1.0, most=np.inf):
-    """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
+    """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,)
 
-    normals (N, 3) are those of their planes in the world. distance_map (S, S): the Light's. The
-    bias is (5), but never above most. `before_light` gives q, `side_of` S, and the steps are of
-    use. The bunny's hard shadow appears: `python3 -m course demo --impl labs shadow`.
+    normals (N, 3) of their planes in the world. distance_map (S, S): the Light's. The bias is (5),
+    but never above most. `before_light` gives q, and `side_of` S. See `demo shadow`.
 
     >>> light = Light(np.zeros(3), np.eye(3), np.diag([1.0, 1.0, -1.0, 1.0]))  # parallel light
     >>> points = np.array([[0.5, 0.5, -2.0], [0.0, 0.5, -2.4]])

@@ -74,9 +74,9 @@ def steps_around(offsets, radius):
         yield (radius * offset[:, None]).T
 
 
-def percentage_closer(distance_map, place, distance, slope,  # exercise 14.7 (2 points)
+def percentage_closer(distance_map, place, distance, slope,  # step 14.7
                       bias, offsets, radius):
-    """Eq. (6): light reaches what share of the places around (x, y)? -> (N,).
+    """Eq. (6): light reaches what share of the places around (x, y)? -> (N,)
 
     place, distance, slope are Receivers', bias and radius (N,) or numbers, offsets (K, 2).
     `steps_around` gives the steps, `on_plane` each place and the plane's distance there.
@@ -94,14 +94,13 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.7 (2 
     return lit / len(offsets)
 
 
-def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.8 (3 points)
+def percentage_closer_soft(distance_map, place, distance, slope,  # exercise 14.8 (5 points)
                            bias, offsets, lamp):
-    """PCSS: the share of a disc's light that comes to the receivers -> (N,).
+    """PCSS, (7): what share of a disc's light comes to the receivers? -> (N,)
 
-    At depth b, the disc's radius is lamp / b texels. In (7), b is the mean of what is stored at
-    blockers: places dark by (6), within the radius (7) of the nearest distance of all, or 0 if the
-    receiver is nearer. Then filter by (6) within b's radius, or 0 without blockers. It draws
-    `python3 -m course demo --impl labs shadow`.
+    At depth b, the disc's radius is lamp / b texels. Blockers are places dark by (6), within the
+    radius (7) for the least distance stored. b is the mean of what is stored there. Then filter by
+    (6), within the radius (7) for b, or 0 without blockers. A radius below 0 is 0.
 
     >>> distance_map = np.array([[1.0, 2.0, 9.0, 9.0, 9.0]])
     >>> offsets, one = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]]), np.ones(1)

@@ -42,7 +42,7 @@ def face_of_corner(counts):
     return np.repeat(np.arange(len(counts)), np.asarray(counts, np.intp))
 
 
-def edges_of(corners, counts):  # exercise 11.1 (2 points)
+def edges_of(corners, counts):  # step 11.1
     """Each edge once, and for each corner the number of its edge to the next corner of its face.
 
     corners (C,), counts (F,) -> edges (E, 2), sorted pairs low < high, and corner_edge (C,).

@@ -102,9 +102,9 @@ def each_pair(combine, rows, columns):
 def texels_at(uv, width, height, boundary):  # exercise 6.2 (3 points)
     """Eqs. (2) and (3): the 2 x 2 texels around uv (N, 2) -> index, weight, inside (4, N).
 
-    Texels count row by row: [i, j] has the number width i + j. First comes the row of the lower
-    number. width, height: numbers, or (N,). boundary is for the given `standing`. Where not inside,
-    the weight is 0. `python3 -m course demo --impl labs floor` is smooth near you with it.
+    Texel [i, j] has the number width i + j. First comes the row of the lower number. width, height:
+    numbers, or (N,). boundary is for the given `standing`. Where not inside, the weight is 0. See
+    `demo floor`.
 
     >>> index, weight, _ = texels_at(np.array([[0.5, 0.1875]]), 4, 4, "wrap")
     >>> index.T, weight.T

@@ -162,7 +162,7 @@ def perspective(fov_y, aspect, near, far):  # exercise 1.7 (3 points)
     """Eqs. (5) and (6): clip_from_view (4, 4) of a camera that looks straight ahead.
 
     fov_y: the angle from bottom to top. near, far: distances. The two conditions of (6) say what
-    alpha and beta are. All pictures are seen through it: `python3 -m course demo --impl labs cut`.
+    alpha and beta are. See `demo cut`.
 
     >>> perspective(np.pi / 2, 2.0, 1.0, 3.0).round(9)
     array([[ 0.5,  0. ,  0. ,  0. ],
@@ -205,8 +205,8 @@ def orthographic(l, r, b, t, near, far):  # extra 1.8 (2 points)
 def to_screen(clip, width, height):  # exercise 1.9 (2 points)
     """Eqs. (7) and (8): where on screen, and how deep, are points in clip space?
 
-    clip (..., 4), w not 0 -> screen (..., 3): x and y in pixels, y up, and the depth, z of ndc.
-    All vertices of all pictures go this way: `python3 -m course demo --impl labs ties`.
+    clip (..., 4), w not 0 -> screen (..., 3): x and y in pixels, y up, and the depth, z of ndc. See
+    `demo ties`.
 
     >>> to_screen(np.array([2.0, -2.0, 2.0, 4.0]), 640, 480)
     array([480. , 120. ,   0.5])
@@ -220,7 +220,7 @@ def to_screen(clip, width, height):  # exercise 1.9 (2 points)
 def to_screen_backward(grad_screen, clip, width, height):  # exercise 1.11 (3 points)
     """Backward of `to_screen`: grad_screen (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
-    Every outline finds its way back by it: `python3 -m course demo --impl labs fit_triangle`.
+    See `demo fit_triangle`.
 
     >>> to_screen_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]), 640, 480)
     array([ 160.,    0.,    0., -480.])

@@ -96,13 +96,12 @@ def residual_backward(grad_f, values, m, a, target):  # step 7.4
 
 
 def fit_step(triangle, colours, points, target, colours_too=False):  # exercise 7.5 (5 points)
-    """A step of Gauss and Newton: how must a triangle change, so that it looks like the target?
+    """A step of Gauss-Newton: how must a triangle change to look like the target?
 
     triangle (3, 2), colours (3, C), points (P, 2), target (P, C) -> the change of triangle, and of
-    colours: 0, but with colours_too they are unknown, too. Residuals (2), one for each point and
-    channel, count as linear here, and the sum of their squares becomes the least. Of several such
-    changes return the shortest, as `np.linalg.lstsq` does.
-    To look at yours: `python3 -m course demo --impl labs fit_vertices`.
+    colours. These stay, unless colours_too. Residuals (2), one for each point and channel, count as
+    linear: make the sum of their squares the least. The shortest such change counts, as by
+    `np.linalg.lstsq`. See `demo fit_vertices`.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
     >>> points = np.array([[1.0, 1.0], [2.0, 0.5], [0.5, 0.5]])  # their colour is (x, y)

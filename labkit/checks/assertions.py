@@ -12,7 +12,7 @@ from .showing import index_name, kind_name, layout, shape_name, shown
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
 LEAST = 8  # rows and columns of an array that is drawn as a picture, though it may be none
-NAN = "nan is no number: it comes from 0 / 0, inf - inf, or the mean of nothing"
+NAN = "nan is no number: it comes from 0 / 0, inf * 0, inf - inf, or the mean of nothing"
 EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"}
 
 

@@ -4,9 +4,11 @@ import copy
 import functools
 import importlib
 import sys
+import traceback
 import types
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from .. import contract, exercises, places
@@ -19,6 +21,7 @@ CALL_SECONDS = 20.0  # that a call may take
 LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
 CALLS = pytest.StashKey()        # of a check: [(such a call, what it returned)]
+WARNED = pytest.StashKey()       # of a check: what NumPy warned of first, and the frames there
 FIND = pytest.StashKey()         # of the run: finds functions that run in another process
 
 
@@ -28,8 +31,8 @@ class Implementation:
     impl.Buffers is its NamedTuple of that name, and impl.outlines.Pairs that of another topic.
 
     Every call keeps to labkit/contract.py. So a check gets arrays and numbers in their
-    standard form, whatever the function returned them as, and no warning reaches it. A call fails
-    that returns None or changes its inputs.
+    standard form, whatever the function returned them as, and no warning reaches it: the first is
+    kept for the report. A call fails that returns None or changes its inputs.
 
     find(name) -> the function, or what stands for it where it runs in another process: all that
     is done with it is to call it. Or a class, or a module for its classes. stash keeps all calls,
@@ -55,7 +58,8 @@ class Implementation:
             given = copy.deepcopy((args, kwargs))  # what it changes is not the check's
             self._stash[LAST_CALL] = function, args, kwargs
             self._stash[LAST_RETURN] = None
-            returned = self._stash[LAST_RETURN] = contract.called(function, *given[0], **given[1])
+            returned = self._stash[LAST_RETURN] = contract.called(
+                noted, self._stash, function, *given[0], **given[1])
             self._stash[CALLS].append((self._stash[LAST_CALL], returned))
             require_returned(name, returned)
             require_unchanged(function, (args, kwargs), given)
@@ -63,6 +67,17 @@ class Implementation:
 
         vars(self)[name] = call
         return call
+
+
+def noted(stash, function, /, *args, **kwargs):
+    """What the function returns. NumPy's first warning there is kept in the stash."""
+    def keep(kind, _):
+        if WARNED not in stash:
+            frames = traceback.walk_stack(None)
+            stash[WARNED] = kind, traceback.StackSummary.extract(frames, limit=20)
+
+    with np.errstate(divide="call", invalid="call", over="call", call=keep):
+        return function(*args, **kwargs)
 
 
 def classes(module):

@@ -17,10 +17,13 @@ from .. import places
 from ..contract import UNFINISHED
 from ..suspicions import axes_in_words
 from ..table import COMMAND
-from . import hints
-from .assertions import Mismatch
-from .loader import CALLS, LAST_CALL, LAST_RETURN, folder
+from . import hints, showing
+from .assertions import NAN, Mismatch
+from .loader import CALLS, LAST_CALL, LAST_RETURN, WARNED, folder
 from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
+
+NO_NAME = r"-?\d|each\b|all\b|a number"  # of what stands between the names of outputs
+INVALID = "an invalid value (0 / 0, inf * 0 or inf - inf)"
 
 
 class Check(NamedTuple):
@@ -155,10 +158,26 @@ def explained(error, item):
     if "output" not in labels and "expected" in labels:
         place = labels.index("expected")
         rows[place:place] = output_row(error.compared, returned)
+    if last and isinstance(returned, tuple):
+        rows = [(label, text + named(last[0], text) if label == "output" else text)
+                for label, text in rows]
     if is_misshaped(error):
         words = axes_in_words(*map(np.shape, error.compared[:2]), arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
-    return [*rows, ("check", check_line(error, item))]
+    return [*rows, *warned(error, item), ("check", check_line(error, item))]
+
+
+def warned(error, item):
+    """Yield a row, or none: what NumPy warned of first, and its line in the code under test."""
+    kind, frames = item.stash.get(WARNED, ("", ()))
+    code = folder(item.config.option.impl)
+    for frame in frames if isinstance(error, AssertionError) else ():
+        if Path(frame.filename).resolve().is_relative_to(code):
+            where = f"{places.shown_path(frame.filename)}:{frame.lineno}"
+            kind = kind.replace("invalid value", INVALID)
+            yield "warning", (f"NumPy met {kind}, first at {where}\n    "
+                              f"{showing.quoted(frame.line)}\nno mistake if the result is not used")
+            return
 
 
 def is_misshaped(error):
@@ -169,12 +188,14 @@ def is_misshaped(error):
 
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else "", as after a crash,
-    or where the shape is wrong.
+    where the shape is wrong, or NaN came and they do not speak of it.
     """
     if not isinstance(error, AssertionError) or is_misshaped(error) or (
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
-    return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
+    text = " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
+    has_nan = isinstance(error, Mismatch) and NAN in dict(rows).get("differs", "")
+    return "" if has_nan and "nan" not in text.lower() else text
 
 
 def output_row(compared, returned):
@@ -183,6 +204,17 @@ def output_row(compared, returned):
         return []
     place = hints.place_in(returned, compared.got)
     return [] if place is None else [("output", f"{place + 1} of {len(returned)}")]
+
+
+def named(function, place):
+    """": grad_uv" for place "1 of 2", if the function's question names so many outputs, else ""."""
+    question = (inspect.getdoc(function) or "").partition("Fine print.")[0].partition(">>>")[0]
+    text = re.sub(r"\([^()]*\)", "", question).partition("->")[2]
+    told = re.split(r"[.:;](?=\s|$)|\n\n", text)[0]
+    number, count = map(int, place.split(" of "))
+    names = [name for part in re.split(r",|\band\b", told)
+             if (name := " ".join(part.split())) and not re.match(NO_NAME, name)]
+    return f": {names[number - 1]}" if len(names) == count else ""
 
 
 def said(error, item):

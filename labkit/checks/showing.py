@@ -148,22 +148,27 @@ def fitting(error):
     text = str(error)
     shapes = sorted((tuple(map(int, re.findall(r"\d+", shape)))
                      for shape in re.findall(r"\([\d,]+\)", text)), key=len)
-    if unlike := re.search(r"gufunc signature.*size (\d+) is different from (\d+)", text):
-        yield (f"    A @ B sums over the last axis of A and the last but one of B, a vector's only "
-               f"one: they have {unlike[2]} and {unlike[1]} numbers. Is one to be transposed (.T), "
-               "or is the order wrong?")
+    if "gufunc signature" in text or "not aligned" in text:
+        sizes = " and ".join(re.findall(r"(?:size|from|aligned:|!=) (\d+)", text))
+        yield ("    A @ B sums over the last axis of A and the last but one of B, a vector's only "
+               f"one. They differ: {sizes} numbers. Is one to be transposed (.T), or the order "
+               "wrong? For the dot product of each row with its own, it is (a * b).sum(-1).")
     elif "must have same number of dimensions" in text:
         yield f"    what is joined needs equally many axes: {AN_AXIS}"
+    elif "concatenation axis must match" in text:
+        yield ("    what is joined has one shape but along the joined axis. Has a sum or a mean "
+               "the wrong axis, or none?")
     elif "broadcast" in text and len(shapes) == 2:
         yield f"    {unfit(*shapes)}"
 
 
 def unfit(short, long):
     """Why two shapes do not broadcast, and what helps."""
-    fits = [each for k in range(len(short) + 1)
-            if broadcasts(each := (*short[:k], 1, *short[k:]), long)]
+    fits = [each for ones in ((1,), (1,) * (len(long) - len(short))) for k in range(len(short) + 1)
+            if broadcasts(each := (*short[:k], *ones, *short[k:]), long)]
     if fits:
-        return f"{short} fits as {fits[0]}: {AN_AXIS}"
+        dot = f". Or is {long} to be summed over its last axis first, as in a dot product?"
+        return f"{short} fits as {fits[0]}: {AN_AXIS}{dot * (long[:-1] == short)}"
     if short == long[::-1]:
         return f"{short} and {long} are equal when one is transposed, .T: rows became columns"
     pairs = zip(reversed(short), reversed(long), strict=False)

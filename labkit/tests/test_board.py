@@ -20,7 +20,8 @@ REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.4", "mask", "Not started.", "return n", points=4, inputs="n"),
     exercise_text("1.5", "area", "Calls mask.", "return mask(n)", points=2, inputs="n"),
     exercise_text("1.6", "unchecked", "Without a check.", "return x", points=5),
-    exercise_text("1.7", "skipped", "Its only check is skipped.", "return x")))
+    exercise_text("1.7", "skipped", "Its only check is skipped.",
+                  "return rasterization.twice(x)")))
 
 LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
@@ -90,7 +91,7 @@ def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(wh
         "Lab 2  rasterization  3 of 3     ####################",
         "  2.1  twice          3 of 3     done",
         "",
-        "Next: 1.2 half, failing in 1 of 2 checks",
+        "Next: 1.2 half, failing",
         "points    1.5 of 3 points: 1 of 2 claims hold",
         "claim     Half of three",
         "perhaps   A third.",
@@ -140,7 +141,7 @@ DONE = ("All that was asked for is done, {0} of {0} points. "
 @pytest.mark.parametrize(("asked", "number", "next_line"), [
     ("1.1", "1.1", DONE.format(2, " 1") + " of the lab."),
     ("rasterization", "2.1", DONE.format(3, "") + "."),
-    ("1.3", "1.3", "Next: 1.2 half, failing in 1 of 2 checks"),
+    ("1.3", "1.3", "Next: 1.2 half, failing"),
     ("1.4", "1.4", "Next: 1.4 mask, not started"),
     ("1.6", "1.6", "Next: 1.6 unchecked, failing"),
     ("2 --impl reference", "2.1", DONE.format(3, "") + "."),
@@ -157,6 +158,11 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, num
 def test_an_exercise_without_a_check_says_so(check):
     """It is done, as nothing fails."""
     assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout
+
+
+def test_an_exercise_of_another_file_is_named(check):
+    """Lab 1's mistake shows in lab 4, and one looks for it there."""
+    assert "uses      your own 2.1 twice: a mistake there" in check("1.7").stdout
 
 
 @pytest.mark.parametrize("target", ["1.8", "3", "sampling", "tests", ""])
@@ -234,7 +240,7 @@ def entry(number, verdict, *of_checks):
 
 @pytest.mark.parametrize(("entries", "text"), [
     ([entry("1.1", "failing", "passed", "blocked by 2.1", "failed", *["failed"] * 5)],
-     "Next: 1.1 f, failing in 7 of 8 checks\npoints    0 of 2 points: 1 of 8 claims hold\n"
+     "Next: 1.1 f, failing\npoints    0 of 2 points: 1 of 8 claims hold\n"
      "claim     claim 2\nfor it is failed\n"
      "fails too claim 3; claim 4; claim 5; 3 more\n"
      "picture   out/x.png\n          claim 7\nagain     python3 -m course check 1.1\n"),
@@ -377,7 +383,7 @@ def test_watching_checks_again_when_a_file_is_saved(house):
         process.send_signal(signal.SIGINT)
         rest = process.communicate(timeout=60)[0]
     assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
-    assert "failing in 1 of 1 check" in boards[1]
+    assert "0 of 1 claims hold" in boards[1]
     assert "labs/transforms.py, line 7: this is not Python" in boards[2]
     assert rest == "" and process.returncode == 130
 
@@ -397,7 +403,8 @@ def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_here):
         output = process.communicate(timeout=60)[0]
     assert "  1.1  double      2 of 2   done" in output
     assert "\nIt was stopped; not all checks have run.\n" in output
-    assert ("Next: 1.2 half, failing in 1 of 2 checks, 1 not run\n"
+    assert ("Next: 1.2 half, failing, 1 check not run\n"
+            "points    0 of 3 points: 0 of 2 claims hold\n"
             "claim     Half of nothing\n") in output
     assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
     assert process.returncode == 1

@@ -190,7 +190,7 @@ def test_a_hand_out_is_whole(labs, tmp_path, run_module):
     assert re.findall(r"^  ([a-z]+)(?:  +\S| [\[A-Z])", done.stdout, re.MULTILINE) == COMMANDS
     assert (tmp_path / "tests" / "labs" / "hints.json").read_bytes() == hints
     if labs in ("2", "1-4", None):  # the mistake that notebook 00 makes, in a copy
-        assert re.search(r"Next: [\d.]+ rasterize, failing in", done.stdout)
+        assert re.search(r"Next: [\d.]+ rasterize, failing", done.stdout)
 
 
 def test_nothing_is_overwritten(tmp_path):

@@ -37,7 +37,9 @@ def told(assertion, got, expected, *inputs):
 
 @pytest.mark.parametrize(("got", "expected", "hint"), [
     (-CORNER, CORNER, "the sign is flipped"),
-    (CORNER.T, CORNER, "rows and columns are swapped"),
+    (CORNER.T, CORNER, "it is the transpose, (3, 2) instead of (2, 3)"),
+    (CORNER.sum(), CORNER, "it is summed over all axes"),
+    (CORNER.sum(1), CORNER, "it is summed over axis 1, too"),
     (CORNER[::-1], CORNER, "0 and 1 are exchanged along axis 0"),
     (FOUR[::-1] * [[1], [2], [1], [1]], FOUR * [[1], [1], [2], [1]],
      "the order along axis 0 is reversed"),
@@ -158,7 +160,8 @@ def test_float32_is_not_named_where_the_numbers_are_far_off():
 @pytest.mark.parametrize(("came", "expected", "told"), [
     ((3,), (5, 3), "axis 0 is lost"), ((5,), (5, 1), "axis 1 is lost"),
     ((5, 5), (5,), "(5,) with (5, 1) gives (5, 5)"), ((5, 3, 2), (5, 2), "axis 1 is too many"),
-    ((4, 3), (3, 4), "another order"), ((7,), (5, 3), None),
+    ((4, 3), (3, 4), "another order"), ((7,), (5, 3), None), ((4, 3), (), "one number is"),
+    ((), (4, 4), "one number came"),
     ((4,), (3,), "without axis 0, x (3, 4) becomes (4,), and without axis 1 (3,)")])
 def test_what_became_of_an_axis_is_told_by_the_shapes(came, expected, told):
     """A sum over the wrong axis, or one more axis by broadcasting, and two tuples are all."""

@@ -324,7 +324,7 @@ def test_the_corners_of_the_box_become_those_of_the_cube(impl, rng):
 @exercise("1.9")
 def test_x_and_y_are_in_pixels(impl):
     """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
-    is taken as from 0 to 1. Width and height are swapped, or // rounds.
+    is taken as from 0 to 1, or the + 1 left out. Width and height are swapped, or // rounds.
     """
     ndc = np.array([[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [0.5, 0.0]])
     clip = np.column_stack([ndc, np.zeros(4), np.ones(4)])

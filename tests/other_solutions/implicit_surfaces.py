@@ -19,14 +19,6 @@ def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, m
     return np.array(reached, float), np.array(counts, int)
 
 
-def volume_render(density, colour, spacing, background):
-    behind = np.tile(np.asarray(background, float), (len(density), 1))
-    for i in reversed(range(np.shape(density)[1])):
-        kept = np.exp(-density[:, i] * spacing[:, i])[:, None]
-        behind = kept * behind + (1 - kept) * colour[:, i]
-    return behind
-
-
 def volume_render_backward(grad_output, density, colour, spacing, background):
     grad_density, grad_colour = np.zeros(np.shape(density)), np.zeros(np.shape(colour))
     rays, samples = np.shape(density)

@@ -4,11 +4,6 @@ import math
 import numpy as np
 
 
-def squared_error(picture, target):
-    away, count = np.subtract(picture, target), np.size(picture)
-    return np.vdot(away, away) / count, away * (1 / (count / 2))
-
-
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     beta_1, beta_2, epsilon = constants
     # With the two corrections moved into the rate and epsilon, as the paper's section 2 has it.

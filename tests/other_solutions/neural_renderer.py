@@ -1,14 +1,13 @@
 """Lab 10's maps once more: point by point, with cyclic sums for cross products."""
 import numpy as np
 
-from reference.neural_renderer import covers, face_inverse, front_faces, on_screen
-
-
-def screen_weights_and_depth(inverse, z, x, y):
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    u = np.minimum(np.maximum(c, 0), 1)
-    # 1 / sum(w / z) with w = u / sum(u).
-    return u / u.sum(-1)[..., None], u.sum(-1) / (u / z).sum(-1)
+from reference.neural_renderer import (
+    covers,
+    face_inverse,
+    front_faces,
+    on_screen,
+    screen_weights_and_depth,
+)
 
 
 def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):

@@ -2,7 +2,6 @@
 import numpy as np
 
 from reference.antialiasing import Pairs, last_crossing, pair_frame
-from reference.outlines import is_dropped
 
 
 def neighbours(face_index, depth):
@@ -24,10 +23,3 @@ def leave_faces(owner, other, face, screen, faces, width):
     i, j = (edge + 1) % 3, (edge + 2) % 3
     ends = [np.stack([np.choose(i, rows), np.choose(j, rows)]) for rows in (corners, x, y)]
     return Pairs(owner, other, c, *ends, face, edge)
-
-
-def steep_pairs(pairs):
-    kept = [n for n in range(len(pairs.c)) if abs(np.subtract(*pairs.x[:, n])) <= abs(
-        np.subtract(*pairs.y[:, n])) and -1 / 16 < pairs.c[n] < 17 / 16
-        and not is_dropped(pairs.c[n], pairs.owner[n], pairs.other[n])]
-    return Pairs(*(field[..., kept] for field in pairs))

@@ -44,12 +44,6 @@ def vertex_normals_backward(grad_normals, vertices, faces):
     return grad_vertices
 
 
-def picture_loss(picture, target, weight):
-    each = np.array([1/3, 1/3, 1/3, weight]) / np.prod(picture.shape[:-1])
-    d = picture - target
-    return float(np.tensordot(d**2, each, 1).sum()), 2 * np.einsum("...c,c->...c", d, each)
-
-
 def sign(s):
     return -1.0 if s < 0 else 1.0
 

@@ -32,12 +32,6 @@ def cotangent_laplacian(vertices, faces):
     return np.array(edges), np.array([weights[edge] for edge in edges]), areas
 
 
-def laplacian_entries(edges, weights, vertex_count):
-    matrix = dense(edges, weights, vertex_count)
-    rows, columns = np.nonzero(matrix)
-    return rows, columns, matrix[rows, columns]
-
-
 def dense(edges, weights, vertex_count):
     # Of the incidence matrix D, which takes differences along edges: D^T W D.
     D = np.zeros((len(edges), vertex_count))

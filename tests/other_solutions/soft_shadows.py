@@ -3,6 +3,7 @@
 import numpy as np
 
 from reference.shadow_mapping import stored_distance
+from reference.soft_shadows import percentage_closer
 
 
 def on_plane(place, distance, slope, step):
@@ -20,11 +21,6 @@ def places(distance_map, place, distance, slope, bias, offsets, radius):
         stored.append(stored_distance(distance_map, there))
         lit.append(plane - stored[-1] <= bias)
     return np.array(lit).T, np.array(stored).T
-
-
-def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    lit, _ = places(distance_map, place, distance, slope, bias, offsets, radius)
-    return [sum(row.tolist()) / len(row) for row in lit]
 
 
 def percentage_closer_soft(distance_map, place, distance, slope, bias, offsets, lamp):

@@ -16,13 +16,6 @@ def sides(face):
     return [tuple(sorted(pair)) for pair in zip(face, face[1:] + face[:1], strict=True)]
 
 
-def edges_of(corners, counts):
-    along = [side for face in face_lists(corners, counts) for side in sides(face)]
-    edges = sorted(set(along))
-    number = {edge: e for e, edge in enumerate(edges)}
-    return np.array(edges), np.array([number[side] for side in along])
-
-
 def incidence(faces):
     """{edge: its faces' numbers}, edges ascending."""
     at_edge = defaultdict(list)
