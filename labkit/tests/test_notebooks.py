@@ -133,6 +133,19 @@ def test_each_figure_is_a_whole_page_and_told(written, cells):
     assert (written.parent / "openings" / "03_lecture.png").read_bytes() == contents[-1]
 
 
+def test_what_only_opens_a_lecture_is_kept_beside_it_and_told_when_it_changes(tmp_path, capsys):
+    """The picture of the top a second time, in its cell; an opening that older code has drawn."""
+    path = save(tmp_path / "04_lecture.ipynb", LECTURE[0],
+                "# opening: a diagonal\nplot.strip([np.eye(8)], ['eye']);")
+    for said in "cell-02 has 1 outputs", "nothing has changed":
+        assert notebooks.run([str(path)]) == 0 and said in capsys.readouterr().out
+    assert "image/png" not in path.read_text(encoding="utf-8")
+    opening = path.parent / "openings" / "04_lecture.png"
+    assert notebooks.openings(notebooks.parsed(path)) == [opening.read_bytes()]
+    Image.open(opening).transpose(Image.Transpose.FLIP_LEFT_RIGHT).save(opening)
+    assert notebooks.run([str(path)]) == 0 and "draws another picture" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("sources, told", [
     (["1", "2\n1 / 0", "3"], "code cell [2] failed with ZeroDivisionError: division by zero"),
     (["import os; os._exit(1)"], "code cell [1] ended the kernel"),

@@ -11,6 +11,7 @@ from labkit.upkeep import errata, hours, notebooks
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
 MOST_MINUTES = 45
+FOLDED = "# figure:", "# opening:"                 # how cells begin that only draw
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 WORDING = {                                        # what was translated, and what to write
     "asked at": "sampled at", "in the mean": "on average", "dear": "expensive",
@@ -82,7 +83,7 @@ def test_a_lecture_takes_45_minutes_at_most(path):
     words = re.sub(r"\$\$.*?\$\$|```.*?```", "", text, flags=re.DOTALL)
     figures = path.read_text(encoding="utf-8").count('"image/png": "')
     lines = [line for code in exercises.cells(path, "code") for line in code.splitlines()
-             if line.strip() and not code.startswith(("# live", "# figure:"))]
+             if line.strip() and not code.startswith(("# live", *FOLDED))]
     minutes = len(words.split()) / 180 + figures / 3 + text.count("$$") / 4 + len(lines) / 15
     assert minutes <= MOST_MINUTES
 
@@ -124,7 +125,7 @@ def test_a_lecture_begins_and_its_figures_are_folded_away(path):
     draws = re.compile(r"^(axes.*= plot\.panels|figure, axes = plt|.*sketch\.sheet|plot\.film)",
                        re.MULTILINE)
     assert [cell[:60] for cell in others
-            if draws.search(cell) and not cell.startswith("# figure:")] == []
+            if draws.search(cell) and not cell.startswith(FOLDED)] == []
 
 
 @each_page
