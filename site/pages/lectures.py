@@ -19,8 +19,7 @@ from .texts_links import with_page_links
 NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 OPENING = re.compile(r'<img src="([^"]+)" width="(\d+)" alt="([^"]+)">')
-NOT_SHOWN = re.compile(r"# live\s+(?:(?:from labkit import board|board\.show\([^)]*\))\s*)+"
-                       r"|# opening:.*", re.DOTALL)  # the board, and what has drawn the top
+BOARD = re.compile(r"# live\s+(?:(?:from labkit import board|board\.show\([^)]*\))\s*)+")
 IMPORTS = "import sys; sys.path.append"
 
 
@@ -32,7 +31,7 @@ def write(folder, extra):
     added = inserts.Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook = nbformat.read(path, as_version=4)
-        notebook.cells = [cell for cell in notebook.cells if not NOT_SHOWN.fullmatch(cell.source)]
+        notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         first, pictures = notebook.cells[0], Pictures(path.stem, extra / "lectures" / "pictures")
         first.source = NEIGHBOURS.sub(ways(path, NEIGHBOURS.search(first.source)[0]),
                                       first.source)

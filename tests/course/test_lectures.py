@@ -1,12 +1,16 @@
 """What every lecture has, so that a reader finds his way: links, parts, equations, exercises."""
 import ast
+import base64
+import io
 import re
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from labkit import exercises, places
 from labkit.places import ROOT
-from labkit.upkeep import errata, hours, notebooks
+from labkit.upkeep import errata, hours, notebooks, pictures
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
@@ -72,6 +76,16 @@ def test_a_lecture_opens_with_its_best_picture(path):
     assert re.search(rf'<img src="openings/{opening.name}" width="\d+" alt="[^"]{{40,}}">',
                      exercises.cells(path)[0])
     assert notebooks.openings(notebooks.parsed(path)) == [opening.read_bytes()]
+
+
+@each_page
+def test_no_picture_has_ink_on_its_left_or_right_edge(path):
+    """A title or a label that is longer than its picture is wide, and ends in the middle."""
+    for cell in notebooks.parsed(path).cells:
+        for output in pictures.pictures_of(cell) if "outputs" in cell else ():
+            with Image.open(io.BytesIO(base64.b64decode(output.data["image/png"]))) as picture:
+                edges = np.asarray(picture.convert("L"))[:, [0, -1]]
+            assert edges.min() > 200, f"{cell.id}: {cell.source[:60]}"
 
 
 @each_lecture
