@@ -141,6 +141,8 @@ def test_what_only_opens_a_lecture_is_kept_beside_it_and_told_when_it_changes(tm
         assert notebooks.run([str(path)]) == 0 and said in capsys.readouterr().out
     assert "image/png" not in path.read_text(encoding="utf-8")
     opening = path.parent / "openings" / "04_lecture.png"
+    waits = save(tmp_path / "05_lecture.ipynb", "# opening: what waits\nprint('for 1.1')")
+    assert notebooks.run([str(waits)]) == 0
     assert notebooks.openings(notebooks.parsed(path)) == [opening.read_bytes()]
     Image.open(opening).transpose(Image.Transpose.FLIP_LEFT_RIGHT).save(opening)
     assert notebooks.run([str(path)]) == 0 and "draws another picture" in capsys.readouterr().out

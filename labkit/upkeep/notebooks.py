@@ -247,9 +247,9 @@ def executed(path):
                 if objection:
                     raise ValueError(f"{path.name}, code cell [{cell.execution_count}] {objection}")
                 pictures.finish(cell)
-                if cell.source.startswith(ONLY_OPENS):
-                    cell.outputs = [shown_at_the_top(cell, *openings(nbformat.from_dict(
-                        {"cells": [cell]})))]
+                if cell.source.startswith(ONLY_OPENS):  # one that waits has drawn nothing
+                    drawn = openings(nbformat.from_dict({"cells": [cell]}))
+                    cell.outputs = [shown_at_the_top(cell, picture) for picture in drawn]
         client.execute_cell(ask, len(notebook.cells) - 1)
     notebook.cells.remove(ask)
     files = map(places.shown_path, ask.outputs[0].text.splitlines())
