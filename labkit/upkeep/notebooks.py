@@ -141,10 +141,7 @@ def named(name, lectures):
 def write(path, before, notebook, differences, loaded):
     """Write what a run made of a notebook, and what it was made from. See `remade`."""
     opening = openings(notebook)
-    for cell in notebook.cells:
-        if cell.source.startswith(ONLY_OPENS):
-            cell.outputs = []
-    content = f"{nbformat.writes(notebook)}\n".encode()
+    content = f"{nbformat.writes(as_saved(notebook))}\n".encode()
     if len(content) > SIZE_LIMIT:
         raise ValueError(f"{path.name} would be {len(content) / 1000:.0f} kB, and the limit is "
                          f"{SIZE_LIMIT / 1000:.0f} kB: draw fewer or smaller pictures")
@@ -248,8 +245,8 @@ def executed(path):
                     raise ValueError(f"{path.name}, code cell [{cell.execution_count}] {objection}")
                 pictures.finish(cell)
                 if cell.source.startswith(ONLY_OPENS):  # one that waits has drawn nothing
-                    drawn = openings(nbformat.from_dict({"cells": [cell]}))
-                    cell.outputs = [shown_at_the_top(cell, picture) for picture in drawn]
+                    cell.outputs = [shown_at_the_top(cell, picture) for picture in openings(
+                        nbformat.from_dict({"cells": [cell]}))]
         client.execute_cell(ask, len(notebook.cells) - 1)
     notebook.cells.remove(ask)
     files = map(places.shown_path, ask.outputs[0].text.splitlines())
@@ -317,6 +314,14 @@ def objection_to(cell):
 
 def opening_of(path):
     return path.parent / "openings" / f"{path.stem}.png"
+
+
+def as_saved(notebook):
+    """The notebook, without the picture that is kept in openings/ alone."""
+    for cell in notebook.cells:
+        if cell.source.startswith(ONLY_OPENS):
+            cell.outputs = []
+    return notebook
 
 
 def shown_at_the_top(cell, content):
