@@ -16,18 +16,15 @@ In a lattice each of S columns holds one sample. Each of S rows does, too, if k 
 common divisor but 1. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
 another, so the vertices have no useful gradient here. The colours have one, `resolve_backward`.
 
-Sources: notes on GAMES101 lecture 6, Lottes 2009 (FXAA), Karis 2014 (TAA).
+Source: notes on GAMES101 lecture 6.
 """
 import numpy as np
-from scipy import ndimage
 
 from course.given.arrays import EDGES, scatter
 
 from . import rasterization
 
 STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples, none near another
-LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
-FLAT = 1e-12                             # a slope of brightness below this has no direction
 
 
 def regular_grid(n):
@@ -277,58 +274,3 @@ def cost(face_index, sample_bytes):  # extra 4.9 (2 points)
     new = ordered >= 0
     new[1:] &= ordered[1:] != ordered[:-1]
     return face_index.size, int(new.sum()), face_index.size * sample_bytes
-
-
-def rate_times_colour(clip, faces, colours, width, height, pattern, background):
-    """A KNOWN MISTAKE of a published answer: rate x colour, with one depth for each pixel.
-
-    colours (F, C), background (C,) -> picture (H, W, C). A face that covers the fraction rate of a
-    pixel, and is nearest at its centre, sets the pixel to rate x its colour. What else the pixel
-    showed is lost, so it gets too dark.
-    """
-    picture = np.tile(background, (height, width, 1))
-    nearest = np.full((height, width), np.inf)
-    x, y, w = rasterization.screen_points(clip, width, height)
-    z = clip[:, 2] / w
-    column, row = np.arange(width) + 0.5, np.arange(height)[:, None] + 0.5
-    for face, colour in zip(faces, colours, strict=True):
-        seen, _ = rasterize_samples(clip, face[None], width, height, pattern)
-        rate = coverage(seen)
-        plane, *_ = np.linalg.lstsq(np.stack([x[face], y[face], np.ones(3)], -1), z[face])
-        depth = plane[0] * column + plane[1] * row + plane[2]
-        wins = (rate > 0) & (depth < nearest)
-        nearest[wins] = depth[wins]
-        picture[wins] = rate[wins][:, None] * colour
-    return picture
-
-
-def fxaa(picture, contrast=0.1):
-    """FXAA in short: where brightness has an edge, blur along it. picture (H, W, 3) -> (H, W, 3).
-
-    Only the finished picture is known. An edge is where brightness differs by more than contrast
-    among 3 x 3 pixels. It runs at right angles to the slope of the brightness. Such a pixel becomes
-    the mean of itself and one step along the edge to each side. Lottes 2009 follows the edge on.
-    """
-    luma = picture @ LUMA
-    edge = ndimage.maximum_filter(luma, 3) - ndimage.minimum_filter(luma, 3) > contrast
-    slope_y, slope_x = ndimage.sobel(luma, 0)[edge], ndimage.sobel(luma, 1)[edge]
-    along = np.stack([slope_x, -slope_y])  # row and column of a step along the edge
-    along /= np.maximum(np.abs(along).max(0), FLAT)
-    places = [np.nonzero(edge) + t * along for t in (-1, 0, 1)]
-    smooth = picture.copy()
-    for channel in range(3):
-        smooth[edge, channel] = np.mean([ndimage.map_coordinates(
-            picture[..., channel], place, order=1, mode="nearest") for place in places], 0)
-    return smooth
-
-
-def taa(frames, weight):
-    """TAA in short: the running mean of frames (T, H, W, C), T >= 1 -> (H, W, C).
-
-    Each frame has another sample of a pattern. It counts for weight (0 ... 1) when it comes, and
-    for less with every frame after it. Where something moves, its old places fade slowly: ghosts.
-    """
-    history = frames[0]
-    for frame in frames[1:]:
-        history = history + weight * (frame - history)
-    return history

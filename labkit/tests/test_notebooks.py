@@ -24,7 +24,7 @@ def test_a_lecture_is_stored_as_the_command_writes_it(path):
     page that loads for a minute, or has lines that are cut off.
     """
     cells = nbformat.read(path, as_version=4).cells
-    assert cells == notebooks.parsed(path).cells
+    assert cells == notebooks.as_saved(notebooks.parsed(path)).cells
     assert [notebooks.objection_to(cell) for cell in cells if "outputs" in cell and
             notebooks.objection_to(cell)] == []
     assert path.stat().st_size <= notebooks.SIZE_LIMIT
@@ -131,6 +131,19 @@ def test_each_figure_is_a_whole_page_and_told(written, cells):
     assert [one["alt"] for one in metadata] == ["squares that grow, faster and faster",
                                                 "a diagonal"]
     assert (written.parent / "openings" / "03_lecture.png").read_bytes() == contents[-1]
+
+
+def test_what_only_opens_a_lecture_is_kept_beside_it_and_told_when_it_changes(tmp_path, capsys):
+    """The picture of the top a second time, in its cell; an opening that older code has drawn."""
+    path = save(tmp_path / "04_lecture.ipynb", LECTURE[0],
+                "# opening: a diagonal\nplot.strip([np.eye(8)], ['eye']);")
+    for said in "cell-02 has 1 outputs", "nothing has changed":
+        assert notebooks.run([str(path)]) == 0 and said in capsys.readouterr().out
+    opening = path.parent / "openings" / "04_lecture.png"
+    waits = save(tmp_path / "05_lecture.ipynb", "# opening: what waits\nprint('for 1.1')")
+    assert notebooks.run([str(waits)]) == 0
+    Image.open(opening).transpose(Image.Transpose.FLIP_LEFT_RIGHT).save(opening)
+    assert notebooks.run([str(path)]) == 0 and "draws another picture" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("sources, told", [

@@ -25,7 +25,9 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
     # lie inside are blue
 
 A lecture opens with its best picture or film, before any code. A cell with the line `# opening`
-draws it, where the text reaches it. Its last picture is written to openings/NN_topic.png, too.
+draws it, where the text reaches it. Its last picture is written to openings/NN_topic.png, too. A
+cell that begins with `# opening:` and what its picture shows, as `# figure:` does, draws nothing
+else: its picture is kept in openings/ alone, so that no reader of the page sees it twice.
 """
 import base64
 import contextlib
@@ -81,6 +83,7 @@ KERNEL_ENVIRONMENT = {
 }
 METADATA = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
             "language_info": {"name": "python"}}
+ONLY_OPENS = "# opening:"                          # how a cell begins that draws the top alone
 FOLDED = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
 
 # What the text of a lecture must not hold: a pattern, and what to say.
@@ -137,7 +140,8 @@ def named(name, lectures):
 
 def write(path, before, notebook, differences, loaded):
     """Write what a run made of a notebook, and what it was made from. See `remade`."""
-    content = f"{nbformat.writes(notebook)}\n".encode()
+    opening = openings(notebook)
+    content = f"{nbformat.writes(as_saved(notebook))}\n".encode()
     if len(content) > SIZE_LIMIT:
         raise ValueError(f"{path.name} would be {len(content) / 1000:.0f} kB, and the limit is "
                          f"{SIZE_LIMIT / 1000:.0f} kB: draw fewer or smaller pictures")
@@ -145,9 +149,9 @@ def write(path, before, notebook, differences, loaded):
         raise ValueError(f"{path.name} was saved while it ran: run the command again")
     if content != before:
         write_whole(path, content)
-    for picture in openings(notebook):
-        (path.parent / "openings").mkdir(exist_ok=True)
-        write_whole(path.parent / "openings" / f"{path.stem}.png", picture)
+    for picture in opening:
+        opening_of(path).parent.mkdir(exist_ok=True)
+        write_whole(opening_of(path), picture)
     if path.parent == FOLDER:
         made = {**record(), path.stem: {"digest": digest(notebook, loaded), "loaded": loaded}}
         write_whole(RECORD, f"{json.dumps(made, indent=1, sort_keys=True)}\n".encode())
@@ -213,11 +217,13 @@ def parsed(path):
     numbers = itertools.count(1)
     for index, cell in enumerate(notebook.cells):
         cell.id, cell.metadata = f"cell-{index:02}", {}
-        if cell.source.startswith("# figure:"):
+        if cell.source.startswith(("# figure:", ONLY_OPENS)):
             cell.metadata = FOLDED
         if cell.cell_type == "code":
             cell.execution_count = next(numbers) if is_run(cell) else None
             cell.outputs = cell.outputs if is_run(cell) else []
+        if cell.source.startswith(ONLY_OPENS) and opening_of(path).exists():
+            cell.outputs = [shown_at_the_top(cell, read_whole(opening_of(path)))]
     notebook.nbformat_minor, notebook.metadata = 5, METADATA
     return nbformat.from_dict(notebook)
 
@@ -238,6 +244,9 @@ def executed(path):
                 if objection:
                     raise ValueError(f"{path.name}, code cell [{cell.execution_count}] {objection}")
                 pictures.finish(cell)
+                if cell.source.startswith(ONLY_OPENS):  # one that waits has drawn nothing
+                    cell.outputs = [shown_at_the_top(cell, picture) for picture in openings(
+                        nbformat.from_dict({"cells": [cell]}))]
         client.execute_cell(ask, len(notebook.cells) - 1)
     notebook.cells.remove(ask)
     files = map(places.shown_path, ask.outputs[0].text.splitlines())
@@ -303,8 +312,27 @@ def objection_to(cell):
     return pictures.objection(cell)
 
 
+def opening_of(path):
+    return path.parent / "openings" / f"{path.stem}.png"
+
+
+def as_saved(notebook):
+    """The notebook, without the picture that is kept in openings/ alone."""
+    for cell in notebook.cells:
+        if cell.source.startswith(ONLY_OPENS):
+            cell.outputs = []
+    return notebook
+
+
+def shown_at_the_top(cell, content):
+    """What a cell that only opens its lecture has drawn, a PNG file's bytes, as its output."""
+    return nbformat.v4.new_output(
+        "display_data", {"image/png": base64.b64encode(content).decode()},
+        metadata={"image/png": {"alt": pictures.told(cell.source)[0]}})
+
+
 def openings(notebook):
     """The picture with which a lecture opens, as a list of one PNG file's bytes, or of none."""
-    cells = [cell for cell in notebook.cells if re.search(r"^# opening$", cell.source, re.M)]
+    cells = [cell for cell in notebook.cells if re.search(r"^# opening(:|$)", cell.source, re.M)]
     return [base64.b64decode(output.data["image/png"])
             for cell in cells for output in pictures.pictures_of(cell)[-1:]]

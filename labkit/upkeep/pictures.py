@@ -15,7 +15,8 @@ MARGIN = 12                                        # dots above and below a pict
 
 def told(source):
     """What is said of a cell's pictures, in their order: its comments `# figure: ...`."""
-    comments = re.findall(r"^# figure: *(.*(?:\n#(?! figure:| opening$).*)*)", source, re.MULTILINE)
+    comments = re.findall(r"^# (?:figure|opening): *(.*(?:\n#(?! figure:| opening$).*)*)", source,
+                          re.MULTILINE)
     return [re.sub(r"\s*\n#\s*", " ", comment).strip() for comment in comments]
 
 

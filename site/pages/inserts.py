@@ -2,9 +2,11 @@
 
 A lecture's paragraph says what there is to touch, and links to this site with its name:
 
+    **[On the site](../site/README.md#edge_functions)** drag vertex 2, until two triangles ...
     **Drag vertex 2** ([on the site](../site/README.md#edge_functions)), until two triangles ...
 
-On the site the link goes, and what it names stands below the paragraph.
+On the site the first reads "**Here** drag vertex 2", the second loses its link, and what they name
+stands below the paragraph.
 """
 import re
 
@@ -13,7 +15,7 @@ from labkit.places import ROOT
 from . import comparisons, turntables, waves
 
 FIGURES = ROOT / "site" / "static" / "figures"
-LINK = re.compile(r" \(\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)")
+LINK = re.compile(r"(?: \()?\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)?")
 
 
 class Inserts:
@@ -38,7 +40,8 @@ class Inserts:
         if missing := [name for name in named if name not in self.made]:
             raise ValueError(f"a lecture names the figure {missing[0]}, and site/static/figures "
                              f"has none: it has {', '.join(answering())}")
-        return "\n\n".join([LINK.sub("", paragraph), *map(self.made.get, named)])
+        here = LINK.sub(lambda link: "Here" if link[0].startswith("[") else "", paragraph)
+        return "\n\n".join([here, *map(self.made.get, named)])
 
     def require_all(self):
         """ValueError: one has no place."""

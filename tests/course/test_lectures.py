@@ -1,16 +1,21 @@
 """What every lecture has, so that a reader finds his way: links, parts, equations, exercises."""
 import ast
+import base64
+import io
 import re
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from labkit import exercises, places
 from labkit.places import ROOT
-from labkit.upkeep import errata, hours, notebooks
+from labkit.upkeep import errata, hours, notebooks, pictures
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
 MOST_MINUTES = 45
+FOLDED = "# figure:", "# opening:"                 # how cells begin that only draw
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 WORDING = {                                        # what was translated, and what to write
     "asked at": "sampled at", "in the mean": "on average", "dear": "expensive",
@@ -73,6 +78,16 @@ def test_a_lecture_opens_with_its_best_picture(path):
     assert notebooks.openings(notebooks.parsed(path)) == [opening.read_bytes()]
 
 
+@each_page
+def test_no_picture_has_ink_on_its_left_or_right_edge(path):
+    """A title or a label that is longer than its picture is wide, and ends in the middle."""
+    for cell in notebooks.parsed(path).cells:
+        for output in pictures.pictures_of(cell) if "outputs" in cell else ():
+            picture = Image.open(io.BytesIO(base64.b64decode(output.data["image/png"])))
+            edges = np.asarray(picture.convert("L"))[:, [0, -1]]
+            assert edges.min() > 200, f"{cell.id}: {cell.source[:60]}"
+
+
 @each_lecture
 def test_a_lecture_takes_45_minutes_at_most(path):
     """Two lectures in one: words at 180 a minute, a figure in 20 seconds, a displayed equation in
@@ -82,7 +97,7 @@ def test_a_lecture_takes_45_minutes_at_most(path):
     words = re.sub(r"\$\$.*?\$\$|```.*?```", "", text, flags=re.DOTALL)
     figures = path.read_text(encoding="utf-8").count('"image/png": "')
     lines = [line for code in exercises.cells(path, "code") for line in code.splitlines()
-             if line.strip() and not code.startswith(("# live", "# figure:"))]
+             if line.strip() and not code.startswith(("# live", *FOLDED))]
     minutes = len(words.split()) / 180 + figures / 3 + text.count("$$") / 4 + len(lines) / 15
     assert minutes <= MOST_MINUTES
 
@@ -124,7 +139,7 @@ def test_a_lecture_begins_and_its_figures_are_folded_away(path):
     draws = re.compile(r"^(axes.*= plot\.panels|figure, axes = plt|.*sketch\.sheet|plot\.film)",
                        re.MULTILINE)
     assert [cell[:60] for cell in others
-            if draws.search(cell) and not cell.startswith("# figure:")] == []
+            if draws.search(cell) and not cell.startswith(FOLDED)] == []
 
 
 @each_page

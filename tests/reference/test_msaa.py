@@ -21,15 +21,6 @@ def scene(width, height):
     return transforms.transform(transforms.to_homogeneous(vertices), camera @ view), faces
 
 
-def half_plane_coverage(slope, height_at_0, width, height):
-    """The exact share of each pixel below the line y = slope x + height_at_0, slope not 0."""
-    def integral(u):  # of clip(u, 0, 1)
-        return np.where(u < 1, np.maximum(u, 0) ** 2 / 2, u - 0.5)
-
-    x, row = np.arange(width + 1), np.arange(height)[:, None]
-    return np.diff(integral(slope * x + height_at_0 - row), axis=1) / slope
-
-
 def below_line(slope, height_at_0, width, height):
     """A triangle that covers in the picture what is below the line: clip positions."""
     far = 4 * (width + height)
@@ -100,39 +91,6 @@ def test_coverage_is_the_share_of_samples_that_see_a_face():
     np.testing.assert_array_equal(msaa.coverage(face_index), sum(face_index > -1) / 5)
 
 
-# --- seams -------------------------------------------------------------------------------------
-
-QUAD = np.array([[0, 1, 2], [0, 2, 3]])  # two faces that share the edge from 0 to 2
-
-
-def quad(width, height):
-    """A quadrilateral that fills the picture. Its diagonal runs through it."""
-    return on_screen([-3, width + 5, width + 2, -4], [-2, -1, height + 3, height + 2],
-                     width, height)
-
-
-def test_the_shortcut_of_one_depth_for_a_pixel_leaves_a_dark_seam():
-    """The known mistake is shown as it is: along the diagonal, and nowhere else, it is dark."""
-    clip, pattern = quad(23, 17), msaa.regular_grid(2)
-    face_index, _ = msaa.rasterize_samples(clip, QUAD, 23, 17, pattern)
-    shared = (face_index != face_index[0]).any(0)
-    colours = np.ones((2, 3))
-    for background in (np.zeros(3), np.ones(3)):
-        picture = msaa.rate_times_colour(clip, QUAD, colours, 23, 17, pattern, background)
-        np.testing.assert_array_equal(picture[~shared], 1.0)
-        first = (face_index == 0).mean(0)  # the face that comes second, as deep, is lost
-        np.testing.assert_array_equal(picture[shared], np.repeat(first[shared][:, None], 3, 1))
-        assert picture.min() == 0.25
-
-
-def test_a_silhouette_over_a_bright_background_is_dark_in_the_shortcut():
-    """The known mistake mixes with black instead of with the background."""
-    white, pattern = np.ones((1, 3)), msaa.regular_grid(2)
-    wrong = msaa.rate_times_colour(*BELOW, white, 12, 8, pattern, np.ones(3))
-    right = msaa.msaa(*BELOW, 12, 8, pattern, flat(white), np.ones(3))
-    assert (right == 1).all() and wrong.min() == 0.25
-
-
 # --- shades ------------------------------------------------------------------------------------
 
 def test_each_face_in_a_pixel_is_shaded_once_at_the_centre():
@@ -175,33 +133,3 @@ def test_barycentrics_at_a_centre_are_those_of_lab_5():
     got = msaa.barycentric_at(column + 0.5, row + 0.5, face_index[row, column], clip, faces, 40, 30)
     expected = interpolation.barycentrics(face_index, clip, faces)[row, column]
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
-
-
-# --- FXAA and TAA ------------------------------------------------------------------------------
-
-def test_fxaa_leaves_alone_what_has_no_edge():
-    """Pictures are blurred as a whole, or the contrast is not asked."""
-    rng = np.random.default_rng(3)
-    quiet = 0.5 + 0.04 * rng.random((20, 30, 3))
-    np.testing.assert_array_equal(msaa.fxaa(quiet, contrast=0.1), quiet)
-    assert np.abs(msaa.fxaa(quiet, contrast=0.01) - quiet).max() > 0.01
-
-
-@pytest.mark.parametrize("upright", [False, True])
-def test_fxaa_softens_a_staircase_and_keeps_a_straight_edge(upright):
-    """It blurs across the edge: rows and columns, or the signs of the slope, are mixed up."""
-    exact = half_plane_coverage(0.3, 4.3, 30, 20)
-    steps, straight = (exact > 0.5).astype(float), np.tile(np.arange(20)[:, None] < 9, 30) * 1.0
-    if upright:
-        exact, steps, straight = exact.T, steps.T, straight.T
-    smooth, same = (msaa.fxaa(np.repeat(picture[..., None], 3, 2))[..., 0]
-                    for picture in (steps, straight))
-    assert np.square(smooth - exact).sum() < 0.5 * np.square(steps - exact).sum()
-    np.testing.assert_allclose(same, straight, rtol=0, atol=1e-12)
-
-
-def test_taa_leaves_ghosts_that_fade():
-    """What moved on is forgotten at once, or never: a frame of age t counts for (1 - weight)^t."""
-    frames = np.eye(5)[:, None, :, None]  # a bright pixel moves one column a frame
-    np.testing.assert_allclose(msaa.taa(frames, 0.2)[0, :, 0],
-                               [0.8 ** 4, 0.2 * 0.8 ** 3, 0.2 * 0.8 ** 2, 0.2 * 0.8, 0.2])

@@ -37,6 +37,8 @@ def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_
         added.put_in(f"**Drag** ([on the site](../site/README.md#{name})).")
     with pytest.raises(ValueError, match=f"no lecture has a place for {last}"):
         added.require_all()
+    there = f"[On the site](../site/README.md#{last})"
+    assert added.put_in(f"**{there}** drag it.") == f"**Here** drag it.\n\n{added.made[last]}"
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
