@@ -24,7 +24,7 @@ function practise(place) {
     begin(about);
     for (const other of shown.values()) if (other.topic === topic) other.number();
   }, check);
-  let waits = false;
+  let waits = false, isDrawn = false;
 
   function say(words, kind = "") {
     find("output").textContent = words;
@@ -43,7 +43,7 @@ function practise(place) {
   const report = (text) => Object.assign(find(".report"), { textContent: text, hidden: !text });
 
   function progress(have, of, isThere) {
-    if (!waits && !place.contains(document.activeElement)) return;
+    if (isDrawn || (!waits && !place.contains(document.activeElement))) return;
     const much = have < of ? ` ${have.toFixed(1)} of ${of.toFixed(1)} MB` : "";
     if (isThere) {
       say(waits ? "checking" : "Python is ready");
@@ -78,8 +78,10 @@ function practise(place) {
 
   async function draw() {
     const { picture } = find(".draws").dataset, canvas = find(".yours canvas");
+    isDrawn = true;
     find(".yours figcaption").textContent = "is drawn";
-    const { waits, width, colours } = await ask(about, "picture", files(), picture);
+    const { waits, width, colours } = await ask(about, "picture", files(), picture)
+      .finally(() => { isDrawn = false; });
     find(".yours figcaption").textContent = waits ?? "yours";
     find(".draws").classList.toggle("drawn", !waits);
     if (waits) return;
