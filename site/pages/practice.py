@@ -25,7 +25,7 @@ OWN = "../python/"  # of a lab's page
 MEGABYTES = 16.7    # of Python, NumPy and the course, unpacked, as the worker sees them come
 HIGH = 192          # of a picture, in pixels of the page
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
-UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep|tests/golden)/|labs/[^_]|.*\.(png|md|txt)$|"
+UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep)/|labs/[^_]|.*\.(png|md|txt)$|"
                     r"pygments/(lexers|styles|formatters)/"
                     r"(?!(__init__|_mapping|diff|python|terminal|default)\.)")
 
@@ -38,8 +38,6 @@ def write(extra, python):
     folder with Pyodide, which is copied to extra/python, or None.
     """
     put(extra / "practice" / "course.tar.bz2", packed(files()))
-    for path in (places.ROOT / "tests" / "golden").glob("*.npz"):
-        put(extra / "practice" / path.relative_to(places.ROOT), path.read_bytes())
     for path in Path(python).iterdir() if python else ():
         put(extra / "python" / path.name, path.read_bytes())
     with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
@@ -55,29 +53,25 @@ def drawings(extra):
               for exercise in exercises.text_exercises(exercises.read(exercises.reference(topic)))}
     found = {}
     for name in pictures.PICTURES:
-        called, drawn = watched(lambda name=name: pictures.drawn(name, "reference"))
-        labs = {one: lab_of[one] for one in called & lab_of.keys()}
+        codes = set()
+        sys.setprofile(lambda frame, *_, seen=codes: seen.add(frame.f_code))
+        drawn = pictures.drawn(name, "reference")
+        sys.setprofile(None)
+        called = {(Path(code.co_filename).stem, code.co_name) for code in codes} & lab_of.keys()
+        last = max(lab_of[one] for one in called)
         file = f"practice/{name.replace('/', '_')}.png"
         image.write(extra / file, drawn)
         shown = pair(name, file, *drawn.shape[:2])
-        found = {one: shown for one, lab in labs.items() if lab == max(labs.values())} | found
+        found = {one: shown for one in called if lab_of[one] == last} | found
     return found
-
-
-def watched(task):
-    """{(module, function)} of all that a task calls, and what it returns."""
-    called = set()
-    sys.setprofile(lambda frame, *_: called.add(frame.f_code))
-    try:
-        returned = task()
-    finally:
-        sys.setprofile(None)
-    return {(Path(code.co_filename).stem, code.co_name) for code in called}, returned
 
 
 def files():
     """Yield (name, bytes) of what checks need: a hand-out's files, the page's own, packages."""
-    yield from dict(handout.files(exercises.topics_of(None), [], extra=False)).items()
+    checks = "".join(path.read_text("utf-8") for path in places.ROOT.glob("tests/labs/*.py"))
+    for name, part in dict(handout.files(exercises.topics_of(None), [], extra=False)).items():
+        if not name.startswith("tests/golden/") or f'"{Path(name).name}"' in checks:
+            yield name, part
     for path in STATIC.glob("*.py"):
         yield path.name, path.read_bytes()
     for name in PACKAGES:
@@ -118,11 +112,7 @@ def pair(name, file, height, width):
 
 def work(topics, python):
     """The HTML with which work is taken along and put in again, and what a page's scripts know."""
-    checks = "".join(path.read_text("utf-8") for topic in topics
-                     for path in places.ROOT.glob(f"tests/labs/test_{topic}.py"))
-    golden = sorted(set(re.findall(r"golden\" / \"(\w+\.npz)", checks)))
     known = {"python": OWN if python else CDN, "megabytes": MEGABYTES,
-             "files": [f"tests/golden/{name}" for name in golden],
              "labs": {topic: lab(topic) for topic in topics if topic in exercises.lab_topics()}}
     data = json.dumps(known).replace("<", "\\u003c")
     return ('<p class="my-work" hidden><button class="zip">My work as a zip</button> '

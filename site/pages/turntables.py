@@ -34,7 +34,7 @@ def write(extra):
 
 def figure(folder, name, frames, seconds, words, caption):
     """Write a film, whose file begins with its end, and the still of this end -> its HTML."""
-    film = out("film.png")
+    film = out("site-source", "film.png")
     image.write_animation(film, [frames[-1], *frames[:-1]], seconds)
     count = webp(folder, name, Image.open(film))
     still = picture(f"../{folder.name}/{name}_still.webp", words, *image.size(film))

@@ -64,7 +64,7 @@ def moved_grid(labs):
     """A grid of points, turned, stretched and moved."""
     x = np.linspace(-1, 1, 13)
     grid = np.stack(np.meshgrid(x, x, [0.0], [1.0]), -1).reshape(-1, 4)
-    matrix = np.array([[34.0, 14, 0, 48], [-8, 38, 0, 48], [0, 0, 1, 0], [0, 0, 0, 1]])
+    matrix = np.array([[34.0, 14, 0, 48.3], [-8, 38, 0, 48.3], [0, 0, 1, 0], [0, 0, 0, 1]])
     return dots(labs.transforms.transform(grid, matrix)[:, :2])
 
 
