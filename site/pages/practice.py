@@ -22,7 +22,7 @@ from .sources_course import defined
 STATIC = places.ROOT / "site" / "static" / "practice"
 CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
 OWN = "../python/"  # of a lab's page
-MEGABYTES = 16.7    # of Python, NumPy and the course, unpacked, as the worker sees them come
+MEGABYTES = 17.1    # of Python, NumPy and the course, unpacked, as the worker sees them come
 HIGH = 192          # of a picture, in pixels of the page
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
 UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep)/|labs/[^_]|.*\.(png|md|txt)$|"
