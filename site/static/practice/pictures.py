@@ -129,6 +129,6 @@ OWN = {draw.__name__: draw for draw in (moved_grid, bunny_vertices, sides, weigh
                                         flat_bunny, weights_on_ball, smooth_bunny)}
 PICTURES = (  # of those that call an exercise, the first is its own
     *OWN, "aliasing/filtered", "msaa/4x", "bunny/wireframe", "floor/linear-mipmap-linear",
-    "fit_vertices/steps", "borders/ball", "fit_triangle/with", "cubes/ball", "rounded/2", "house/2",
-    "cage/step_12", "simplified/2", "smoothed/smooth", "relaxation/after", "shadow/soft",
-    "representations/distance", "hole/step_50", "tiles/fragments", "tiles/bunny")
+    "fit_vertices/steps", "borders/ball", "fit_triangle/with", "cubes/teapot", "cubes/ball",
+    "rounded/2", "house/2", "cage/step_12", "simplified/2", "smoothed/smooth", "relaxation/after",
+    "shadow/soft", "representations/distance", "hole/step_50", "tiles/fragments", "tiles/bunny")
