@@ -1,6 +1,5 @@
 """What the scenes share: smooth shading, fits, and pictures on disk."""
 import numpy as np
-from matplotlib.figure import Figure
 
 from labkit import places
 
@@ -110,6 +109,7 @@ def save(scene, name, picture):
 
 def save_labelled(path, columns):
     """Write pictures {label: (H, W, 3)}, side by side, each below its label -> the path."""
+    from matplotlib.figure import Figure  # here, so that no other scene waits for it
     sheet = np.hstack(list(columns.values()))
     height, width = sheet.shape[:2]
     figure = Figure((width / 100, height / 100 + 0.3), dpi=100)

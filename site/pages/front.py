@@ -3,15 +3,17 @@ import io
 import os
 import re
 import subprocess
+import zipfile
 from pathlib import Path
 
+import nbformat
 from PIL import Image, ImageOps
 
 from course.given.mesh import DATA
 from labkit import exercises
-from labkit.places import ROOT, read_whole
+from labkit.places import ROOT
 
-from . import poster, put
+from . import put, webp
 from .names import exercise_pages
 from .sidebar import trees
 from .sources_course import read
@@ -32,16 +34,38 @@ ZIP = "differentiable-rasterization"
 
 def write(folder, extra):
     """Write folder/index.md, and its files to extra."""
-    put(extra / FILM.name, read_whole(FILM))
-    put(extra / "reconstruction_still.png", poster(Image.open(FILM)))
+    webp(extra, "reconstruction", Image.open(FILM))
     put(extra / "still_life.jpg", smaller(Image.open(ROOT / STILL_LIFE), (1200, 675), "JPEG"))
-    archive = git("archive", "--format=zip", f"--prefix={ZIP}/", "HEAD")
+    archive = lighter(git("archive", "--format=zip", f"--prefix={ZIP}/", "HEAD"))
     if archive:
         put(extra / f"{ZIP}.zip", archive)
     for lecture, (file, part) in GALLERY.items():
         shown = smaller(Image.open(ROOT / file).crop(part), SIZE, "WEBP")
         put(extra / "gallery" / f"{lecture}.webp", shown)
     put(folder / "index.md", page(ways(len(archive))) + "".join(trees()))
+
+
+def lighter(archive):
+    """A zip of the course without what its lectures have drawn, two thirds of it, which whoever
+    runs them sees: bytes. None of none.
+    """
+    made = io.BytesIO()
+    if archive:
+        with zipfile.ZipFile(io.BytesIO(archive)) as old, zipfile.ZipFile(made, "w") as new:
+            for file in old.infolist():
+                content = old.read(file)
+                if file.filename.endswith(".ipynb"):
+                    content = undrawn(nbformat.reads(content, as_version=4)).encode("utf-8")
+                new.writestr(file, content)
+    return made.getvalue()
+
+
+def undrawn(notebook):
+    """A notebook's text without the pictures of its outputs."""
+    for cell in notebook.cells:
+        if "outputs" in cell:
+            cell.outputs = [one for one in cell.outputs if "image/png" not in one.get("data", {})]
+    return nbformat.writes(notebook) + "\n"
 
 
 def page(get):
@@ -73,7 +97,8 @@ def ways(size):
     parts = []
     if size:
         parts.append(f'<a class="first" href="{ZIP}.zip" download>Download the course</a> '
-                     f"as a zip of {size / 1e6:.0f} MB, and unpack it.")
+                     f"as a zip of {size / 1e6:.0f} MB, and unpack it. Its lectures draw "
+                     "their pictures when you run them.")
     if server and name:
         parts.append(f"With git:\n\n    git clone {server}/{name}")
     return "\n\n".join(parts)

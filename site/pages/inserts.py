@@ -1,4 +1,4 @@
-"""What the site adds to the lectures: figures that answer, pairs of pictures, meshes that turn.
+"""What the site adds to the lectures: figures that answer, films of pairs, meshes that turn.
 
 A lecture's paragraph says what there is to touch, and links to this site with its name:
 

@@ -23,11 +23,11 @@ def write(folder, extra, python):
     """Write folder/labs: a page for each lab, and the index of all exercises. To extra goes what is
     needed to do them there. python: see practice.
     """
-    practice.write(extra, python)
+    drawings = practice.write(extra, python)
     course = sources_course.read()
     put(folder / "labs" / "index.md", index(course))
     for lab, lecture in course.lectures.items():
-        put(folder / "labs" / f"{lecture.page}.md", page(course, lab, python))
+        put(folder / "labs" / f"{lecture.page}.md", page(course, lab, python, drawings))
 
 
 def summary(course, lab):
@@ -55,7 +55,7 @@ def index(course):
     return "\n".join(parts)
 
 
-def page(course, lab, python):
+def page(course, lab, python, drawings):
     """One lab: its table of exercises, then their questions."""
     lecture, asked = course.lectures[lab], course.lectures[lab].asked
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
@@ -71,7 +71,7 @@ def page(course, lab, python):
                       f"your computer, where `python3 -m course check {lab}` checks it. A number "
                       "that is missing belongs to given code.\n", overview(course, asked),
                       as_myst(practice.work(exercises.LABS[lab - 1], python)),
-                      *(question(course, name) for name in asked)])
+                      *(question(course, name, drawings) for name in asked)])
 
 
 def files(asked):
@@ -99,7 +99,7 @@ def module_and_node(course, name):
     return course.modules[module], course.modules[module].nodes[function]
 
 
-def question(course, name):
+def question(course, name, drawings):
     """An exercise: its mark, its signature, its docstring, and links."""
     exercise, (module, node) = course.exercises[name], module_and_node(course, name)
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
@@ -108,7 +108,8 @@ def question(course, name):
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       docstring(course, module, node),
-                      as_myst(practice.place(exercise, module.topic)),
+                      as_myst(practice.place(exercise, module.topic,
+                                             drawings.get((module.topic, node.name), ""))),
                       as_myst(read_on(course, name))])
 
 

@@ -13,7 +13,7 @@ from PIL import Image
 from labkit.places import ROOT, read_whole
 from labkit.upkeep import hours
 
-from . import inserts, picture, poster, put, sidebar
+from . import inserts, picture, put, sidebar, webp
 from .texts_links import with_page_links
 
 NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
@@ -89,16 +89,14 @@ class Pictures:
         """Write a picture -> the HTML that shows it. What moves is shown by a player."""
         name = f"{self.lecture.partition('_')[0]}_{self.count:02}"
         self.count += 1
-        put(self.folder / f"{name}.png", content)
         opened = Image.open(io.BytesIO(content))
+        frames = webp(self.folder, name, opened)
         height = round(opened.height * width / opened.width)
         still, kind = name, 'class="drawn"'
-        if getattr(opened, "is_animated", False):
+        if frames > 1:
             still, kind = f"{name}_still", (
-                f'class="animation" data-file="pictures/{name}.png" '
-                f'data-frames="{opened.n_frames}"')
-            put(self.folder / f"{still}.png", poster(opened))
-        shown = picture(f"pictures/{still}.png", words, width, height)
+                f'class="animation" data-file="pictures/{name}.webp" data-frames="{frames}"')
+        shown = picture(f"pictures/{still}.webp", words, width, height)
         said = html.escape(words[0].upper() + words[1:].rstrip("."))
         return (f'<figure class="numbered" id="figure-{self.count}"><figure {kind}>{shown}</figure>'
                 f'<figcaption><details class="fold"><summary>Figure {self.count} in words</summary>'

@@ -10,6 +10,7 @@ import re
 import sys
 import tarfile
 from pathlib import Path
+from unittest import mock
 
 from course.given import image
 from labkit import exercises, lab_text, places
@@ -21,9 +22,10 @@ from .sources_course import defined
 STATIC = places.ROOT / "site" / "static" / "practice"
 CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
 OWN = "../python/"  # of a lab's page
-MEGABYTES = 16.7    # of Python, NumPy and the course, unpacked, as the worker sees them come
+MEGABYTES = 17.1    # of Python, NumPy and the course, unpacked, as the worker sees them come
+HIGH = 192          # of a picture, in pixels of the page
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
-UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep|tests/golden)/|labs/[^_]|.*\.(png|md|txt)$|"
+UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep)/|labs/[^_]|.*\.(png|md|txt)$|"
                     r"pygments/(lexers|styles|formatters)/"
                     r"(?!(__init__|_mapping|diff|python|terminal|default)\.)")
 
@@ -32,21 +34,44 @@ pictures = importlib.import_module("pictures")
 
 
 def write(extra, python):
-    """Write extra/practice: the course, and what its exercises draw. python: a folder with Pyodide,
-    which is copied to extra/python, or None.
+    """Write extra/practice: the course, and what its exercises draw -> as `drawings`. python: a
+    folder with Pyodide, which is copied to extra/python, or None.
     """
     put(extra / "practice" / "course.tar.bz2", packed(files()))
-    for path in (places.ROOT / "tests" / "golden").glob("*.npz"):
-        put(extra / "practice" / path.relative_to(places.ROOT), path.read_bytes())
-    for name in pictures.PICTURES:
-        image.write(extra / "practice" / f"{name}.png", pictures.drawn(name, "reference"))
     for path in Path(python).iterdir() if python else ():
         put(extra / "python" / path.name, path.read_bytes())
+    with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
+        return drawings(extra)
+
+
+def drawings(extra):
+    """Write what the exercises draw -> {(topic, name): HTML}, the first picture that calls this
+    exercise, and none of a later lab.
+    """
+    lab_of = {(topic, exercise.name): number
+              for number, topics in enumerate(exercises.LABS, 1) for topic in topics
+              for exercise in exercises.text_exercises(exercises.read(exercises.reference(topic)))}
+    found = {}
+    for name in pictures.PICTURES:
+        codes = set()
+        sys.setprofile(lambda frame, *_, seen=codes: seen.add(frame.f_code))
+        drawn = pictures.drawn(name, "reference")
+        sys.setprofile(None)
+        called = {(Path(code.co_filename).stem, code.co_name) for code in codes} & lab_of.keys()
+        last = max(lab_of[one] for one in called)
+        file = f"practice/{name.replace('/', '_')}.png"
+        image.write(extra / file, drawn)
+        shown = pair(name, file, *drawn.shape[:2])
+        found = {one: shown for one in called if lab_of[one] == last} | found
+    return found
 
 
 def files():
     """Yield (name, bytes) of what checks need: a hand-out's files, the page's own, packages."""
-    yield from dict(handout.files(exercises.topics_of(None), [], extra=False)).items()
+    checks = "".join(path.read_text("utf-8") for path in places.ROOT.glob("tests/labs/*.py"))
+    for name, part in dict(handout.files(exercises.topics_of(None), [], extra=False)).items():
+        if not name.startswith("tests/golden/") or f'"{Path(name).name}"' in checks:
+            yield name, part
     for path in STATIC.glob("*.py"):
         yield path.name, path.read_bytes()
     for name in PACKAGES:
@@ -66,32 +91,28 @@ def packed(content):
     return made.getvalue()
 
 
-def place(exercise, topic):
-    """The HTML in which an exercise is done. Without scripts it says how else."""
+def place(exercise, topic, pair):
+    """The HTML in which an exercise is done. Without scripts it says how else. pair: its picture's.
+    """
     number, name = exercise.number, exercise.name
     return (f'<div class="practice" data-number="{number}" data-topic="{topic}" '
             f'data-name="{name}"><p>Write it in <code>labs/{topic}.py</code>, then '
-            f"<code>python3 -m course check {number}</code>.</p></div>{pair(name)}")
+            f"<code>python3 -m course check {number}</code>.</p></div>{pair}")
 
 
-def pair(name):
-    """What an exercise of this name draws, beside the place for what the reader's does."""
-    if name not in pictures.PICTURES:
-        return ""
-    wanted = picture(f"../practice/{name}.png", pictures.PICTURES[name].__doc__.rstrip("."),
-                     pictures.SIZE, pictures.SIZE)
-    return (f'<div class="draws"><figure class="yours"><canvas></canvas><figcaption>yours comes '
-            f'here</figcaption></figure><figure class="wanted">{wanted}<figcaption>how it should '
-            "be</figcaption></figure></div>")
+def pair(name, file, height, width):
+    """The picture that an exercise draws, beside the place for what the reader's does."""
+    wide = HIGH * width // height
+    style = f' style="width: {wide}px; image-rendering: {"pixelated" if wide > width else "auto"}"'
+    return (f'<div class="draws" data-picture="{name}"><figure class="yours"><canvas width="{wide}"'
+            f' height="{HIGH}"{style}></canvas><figcaption>yours comes here</figcaption></figure>'
+            f"<figure>{picture(f'../{file}', pictures.in_words(name), wide, HIGH, style)}"
+            "<figcaption>how it should be</figcaption></figure></div>")
 
 
 def work(topics, python):
     """The HTML with which work is taken along and put in again, and what a page's scripts know."""
-    checks = "".join(path.read_text("utf-8") for topic in topics
-                     for path in places.ROOT.glob(f"tests/labs/test_{topic}.py"))
-    golden = sorted(set(re.findall(r"golden\" / \"(\w+\.npz)", checks)))
     known = {"python": OWN if python else CDN, "megabytes": MEGABYTES,
-             "files": [f"tests/golden/{name}" for name in golden],
              "labs": {topic: lab(topic) for topic in topics if topic in exercises.lab_topics()}}
     data = json.dumps(known).replace("<", "\\u003c")
     return ('<p class="my-work" hidden><button class="zip">My work as a zip</button> '

@@ -1,12 +1,13 @@
 """The films of meshes that turn once, drawn with the course's own code."""
 import numpy as np
+from PIL import Image
 
 from course.given import image, mesh
 from course.given.whose import Labs
 from course.scenes import drawing, levels, portrait, viewing
-from labkit.places import ROOT
+from labkit.places import ROOT, out
 
-from . import picture
+from . import picture, webp
 
 FRAMES, SIZE, SECONDS = 24, 512, 0.15
 FACE_COUNTS = 1500, 700, 350, 150, 64
@@ -26,18 +27,19 @@ TURNED = {  # name: where the camera stands, what is seen, the caption
 def write(extra):
     """Write extra/turns: the films and their stills -> {name: the figure's HTML}."""
     labs = Labs("reference")
-    (extra / "turns").mkdir(parents=True)
-    return {name: figure(extra / "turns", name, film(labs, steps, TURNED[name][0]))
-            for name, steps in shapes(labs).items()}
+    films = {name: film(labs, steps, TURNED[name][0]) for name, steps in shapes(labs).items()}
+    return {name: figure(extra / "turns", name, frames, SECONDS, *TURNED[name][1:])
+            for name, frames in films.items()}
 
 
-def figure(folder, name, frames):
-    """Write a film, whose file begins with its end, and the still of this end."""
-    _, words, caption = TURNED[name]
-    image.write(folder / f"{name}_still.png", frames[-1])
-    image.write_animation(folder / f"{name}.png", [frames[-1], *frames[:-1]], SECONDS)
-    still = picture(f"../turns/{name}_still.png", words, SIZE, SIZE)
-    return (f'<figure class="animation" data-file="../turns/{name}.png" data-frames="{FRAMES}">'
+def figure(folder, name, frames, seconds, words, caption):
+    """Write a film, whose file begins with its end, and the still of this end -> its HTML."""
+    film = out("site-source", "film.png")
+    image.write_animation(film, [frames[-1], *frames[:-1]], seconds)
+    count = webp(folder, name, Image.open(film))
+    still = picture(f"../{folder.name}/{name}_still.webp", words, *image.size(film))
+    return (f'<figure class="animation" data-file="../{folder.name}/{name}.webp" '
+            f'data-frames="{count}">'
             f"{still}<figcaption>{caption}</figcaption></figure>")
 
 

@@ -18,7 +18,14 @@ function pattern(word) {
   return `(?<![\\p{L}\\p{N}]|\\d\\.)${spelled}${end}`;
 }
 
-const asked = (query) => query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu)?.map(pattern) ?? [];
+const SMALL = /^(a|an|and|are|can|do|does|each|for|from|how|i|in|is|it|its|long|my|of|on|or|that|the|there|to|too|what|when|where|which|why|with|you|your)$/i;
+
+// What is looked for: all but small words, if there are others.
+function asked(query) {
+  const words = query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu) ?? [];
+  const large = words.filter((word) => !SMALL.test(word));
+  return (large.length ? large : words).map(pattern);
+}
 
 // How well a word fits: in the title, in the place, or in the text, the oftener the better.
 function fit(word, title, place, text) {
@@ -28,7 +35,8 @@ function fit(word, title, place, text) {
   return times && 1 + 2 * times / (times + 1 + text.length / 400);
 }
 
-// What has all words, or as many as one record has; the title that says little else stands first.
+// What has as many words as one record has, or one less; the title that says little else stands
+// first.
 function search(records, patterns) {
   const words = patterns.map((one) => new RegExp(one, "giu"));
   const every = new RegExp(patterns.join("|"), "giu");
@@ -39,11 +47,11 @@ function search(records, patterns) {
     const covered = (title.match(every) ?? []).join("").length / title.length;
     const code = /^(reference|given)\//.test(address) ? 0.7 : 1;
     const page = covered && !address.includes("#") ? 1 : 0;
-    return { record, has: fits.filter(Boolean).length,
-            score: code * (fitting + 10 * covered + page) };
+    const has = fits.filter(Boolean).length;
+    return { record, has, score: (has / words.length) ** 2 * code * (fitting + 10 * covered + page) };
   });
-  const most = Math.max(1, ...found.map((one) => one.has));
-  return found.filter((one) => one.has === most).sort((a, b) => b.score - a.score)
+  const most = Math.max(2, ...found.map((one) => one.has));
+  return found.filter((one) => one.has >= most - 1).sort((a, b) => b.score - a.score)
     .map((one) => one.record);
 }
 

@@ -46,6 +46,7 @@ def published(tmp_path_factory):
 def test_the_zip_is_a_course_that_starts(tmp_path, run_module, index):
     """Readers download a folder without its hidden files, its data or its command."""
     link = index.find("a", download=True)
+    assert (SITE / link["href"]).stat().st_size < 15e6
     with zipfile.ZipFile(SITE / link["href"]) as file:
         file.extractall(tmp_path)
     course, = tmp_path.iterdir()

@@ -113,11 +113,11 @@ def test_a_lecture_links_where_it_may_and_numbers_its_figures(path):
 
 @pytest.mark.parametrize("name", ["04_msaa", "12_simplification"])
 def test_without_scripts_there_are_all_pictures_and_nothing_else(name, new_page, address):
-    """An empty box where a figure would answer, half of a pair, or a button that does nothing."""
+    """An empty box where a figure would answer, or a button that does nothing."""
     page = new_page(java_script_enabled=False)
     page.goto(f"{address}/lectures/{name}.html")
     assert page.locator("article :is(button, input, canvas), .answers:visible").count() == 0
-    stills = page.locator("figure:is(.animation, .before-after) img")
+    stills = page.locator("figure.animation img")
     assert stills.and_(page.locator(":visible")).count() == stills.count() > 2
 
 

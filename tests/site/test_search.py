@@ -33,6 +33,12 @@ QUERIES = {
     "antialias_backward": [r"outlines\.antialias_backward$"],
     "nvdiffrast": [r"real_projects\.html"],
     "grade": [r"grading\.html"],
+    "what is a silhouette edge": [r"which-edges-silhouettes$", r"#term-silhouette-edge$"],
+    "tie rule": [r"#term-top-left-rule$", r"is_top_left$", r"#exercise-2-2$"],
+    "own photographs": [r"own_pictures\.html"],
+    "how long does it take": [r"index\.html#how-long-it-takes$"],
+    "run in the browser": [r"index\.html#run-it-in-the-browser$"],
+    "hand in": [r"index\.html#run-it-in-the-browser$", r"(instructors|first_week|grading)\.html"],
 }
 
 

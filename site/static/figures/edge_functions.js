@@ -43,7 +43,7 @@ export function screenWeights(p, triangle) {
 function verdict(p, triangle) {
   const area = signedArea(triangle);
   if (area === 0) return "is not covered. The triangle has no area.";
-  if (area < 0) return `is ${isCovered(p, triangle.toReversed()) ? "" : "not "}covered: either winding counts.`;
+  if (area < 0) return `is ${isCovered(p, triangle.toReversed()) ? "" : "not "}covered.`;
   const edges = edgesAt(p, triangle);
   const names = (list, join) => list.map((k) => `e${SUB[k]}`).join(join);
   const which = (test) => [0, 1, 2].filter((k) => test(edges[k]));

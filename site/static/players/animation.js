@@ -1,13 +1,14 @@
-// An animated PNG with play, pause and a slider. It is fetched when it is first played, and rests
+// An animated WebP with play, pause and a slider. It is fetched when it is first played, and rests
 // while it is out of sight.
 //
-//   <figure class="animation" data-file="x.png" data-frames="25" [data-autoplay]>
-//     <img src="still.png"></figure>
+//   <figure class="animation" data-file="x.webp" data-frames="25" [data-autoplay]>
+//     <img src="still.webp"></figure>
 //
 // A canvas takes the place of the still, which is the film's end: the file's first frame, so that
 // the film stands there where nothing moves. A browser that cannot decode frames shows the file
 // itself, which plays on its own.
-import { make } from "./make.js";
+
+const make = (name, properties) => Object.assign(document.createElement(name), properties);
 
 export function show(figure) {
   const { file, frames } = figure.dataset, end = frames - 1;
@@ -73,7 +74,7 @@ export function show(figure) {
 // The film's frames from its beginning to its end. Each knows its duration in microseconds.
 async function decoded(file, frames) {
   const response = await fetch(file);
-  const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/png" });
+  const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/webp" });
   const all = Array.from({ length: frames }, (_, frameIndex) => decoder.decode({ frameIndex }));
   const [end, ...others] = (await Promise.all(all)).map(({ image }) => image);
   return [...others, end];

@@ -1,13 +1,13 @@
-"""What an exercise draws, for the page on which it is done: a function of its name for each.
+"""What exercises draw, for the page on which they are done: functions here, then pictures of demos.
 
-It draws with the labs' own code, and nothing else computes what an exercise is asked for. All are
+All draw with the labs' own code, and nothing else computes what an exercise is asked for. All are
 pictures (H, W, 3) from 0 to 1, row 0 below.
 """
 import numpy as np
 
-from course.given import mesh
+from course.given import image, mesh
 from course.given.whose import Labs
-from course.scenes import viewing
+from course.scenes import demo, viewing
 
 SIZE = 96
 TRIANGLE = np.array([[10.0, 14.0], [86.0, 26.0], [40.0, 84.0]])
@@ -16,8 +16,18 @@ PAPER, INK, SKY = np.array([0.95, 0.96, 0.98]), np.array([0.1, 0.2, 0.5]), np.ar
 
 
 def drawn(name, package):
-    """The picture of the exercise of this name, by the labs of a package. KeyError: it has none."""
-    return PICTURES[name](Labs(package))
+    """The picture of this name, by the labs of a package."""
+    scene, _, file = name.partition("/")
+    if not file:
+        return OWN[name](Labs(package))
+    return next(image.read(path) for _, path, *_ in demo.scene(scene)(Labs(package))
+                if path and path.stem == file)
+
+
+def in_words(name):
+    """What a picture shows."""
+    scene, _, file = name.partition("/")
+    return (demo.title(scene) if file else OWN[name].__doc__).partition(" (lab")[0].rstrip(".")
 
 
 def centres():
@@ -54,7 +64,7 @@ def moved_grid(labs):
     """A grid of points, turned, stretched and moved."""
     x = np.linspace(-1, 1, 13)
     grid = np.stack(np.meshgrid(x, x, [0.0], [1.0]), -1).reshape(-1, 4)
-    matrix = np.array([[34.0, 14, 0, 48], [-8, 38, 0, 48], [0, 0, 1, 0], [0, 0, 0, 1]])
+    matrix = np.array([[34.0, 14, 0, 48.3], [-8, 38, 0, 48.3], [0, 0, 1, 0], [0, 0, 0, 1]])
     return dots(labs.transforms.transform(grid, matrix)[:, :2])
 
 
@@ -115,7 +125,10 @@ def smooth_bunny(labs):
     return painted(seen, lit(mesh.unit(normals[seen])))
 
 
-PICTURES = {"transform": moved_grid, "look_at": bunny_vertices, "perspective": bunny_vertices,
-            "to_screen": bunny_vertices, "edge_function": sides, "screen_weights": weights,
-            "cover": covered, "rasterize": flat_bunny, "barycentrics": weights_on_ball,
-            "interpolate": smooth_bunny}
+OWN = {draw.__name__: draw for draw in (moved_grid, bunny_vertices, sides, weights, covered,
+                                        flat_bunny, weights_on_ball, smooth_bunny)}
+PICTURES = (  # of those that call an exercise, the first is its own
+    *OWN, "aliasing/filtered", "msaa/4x", "bunny/wireframe", "floor/linear-mipmap-linear",
+    "fit_vertices/steps", "borders/ball", "fit_triangle/with", "cubes/teapot", "cubes/ball",
+    "rounded/2", "house/2", "cage/step_12", "simplified/2", "smoothed/smooth", "relaxation/after",
+    "shadow/soft", "representations/distance", "hole/step_50", "tiles/fragments", "tiles/bunny")

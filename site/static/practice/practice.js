@@ -1,7 +1,7 @@
 /** Exercises, done on a lab's page: an editor for each. Python checks them, in a worker. */
 import { edit } from "./editor.js";
 import { ask, begin, onProgress, stop } from "./python.js";
-import { files, keep, lab, onOther } from "./work.js";
+import { files, keep, keepVerdict, lab, onOther, verdict } from "./work.js";
 
 const about = JSON.parse(document.querySelector("#practice").textContent);
 const shown = new Map(); // the exercises with an editor, by number
@@ -14,41 +14,58 @@ function practise(place) {
     </button> <button class="stop" hidden>Stop</button> <output></output>
     <progress hidden></progress></div><div class="text"></div><pre class="report" tabindex="0" hidden></pre>`;
   const find = (what) => place.querySelector(what);
+  const link = `.overview [href="#exercise-${number.replace(".", "-")}"]`;
+  const row = document.querySelector(link).closest("tr");
   const editor = edit(find(".text"), `Your ${name}`, part().text, (text) => {
     if (text === part().text) return;
     part().write(text);
+    recall();
     keep(topic, say);
     begin(about);
     for (const other of shown.values()) if (other.topic === topic) other.number();
   }, check);
-  let waits = false;
+  let waits = false, isDrawn = false;
 
   function say(words, kind = "") {
     find("output").textContent = words;
     place.dataset.verdict = kind;
   }
 
+  /** What was told before, and whether it was told of this text. */
+  function recall(when = " when last checked") {
+    const [told, text] = verdict(number);
+    if (!told) return;
+    const isSame = text === part().text;
+    say(isSame ? told + when : `${told} before it was changed`, isSame ? told : "");
+    row.dataset.verdict = place.dataset.verdict;
+  }
+
   const report = (text) => Object.assign(find(".report"), { textContent: text, hidden: !text });
 
   function progress(have, of, isThere) {
-    if (!waits && !place.contains(document.activeElement)) return;
+    if (isDrawn || (!waits && !place.contains(document.activeElement))) return;
     const much = have < of ? ` ${have.toFixed(1)} of ${of.toFixed(1)} MB` : "";
-    if (isThere) say(waits ? "checking" : "Python is ready");
-    else say(much || have > of + 1 ? `Python comes:${much || ` ${have.toFixed(1)} MB`}`
+    if (isThere) {
+      say(waits ? "checking" : "Python is ready");
+      if (!waits) recall();
+    } else say(much || have > of + 1 ? `Python comes:${much || ` ${have.toFixed(1)} MB`}`
       : "Python starts");
     Object.assign(find("progress"), { max: of, value: have, hidden: isThere || !much });
   }
 
   async function check() {
     if (waits) return;
+    const asked = { [number]: part().text };
     waits = true;
     find(".stop").hidden = false;
     say("checking");
     try {
       const found = await ask(about, "check", files(), number);
-      for (const [each, told] of Object.entries(found.verdicts)) shown.get(each)?.say(told, told);
+      for (const [each, told] of Object.entries(found.verdicts)) {
+        shown.get(each)?.hear(told, asked[each]);
+      }
       report(found.report);
-      if (find(".yours")) await draw();
+      if (find(".draws")) await draw();
     } catch (fault) {
       say(fault.message);
       report(fault.tells ? `${fault.tells}\nYour text is kept. On your own computer, ` +
@@ -60,25 +77,35 @@ function practise(place) {
   }
 
   async function draw() {
-    const { waits, width, colours } = await ask(about, "picture", files(), name);
-    const canvas = find(".yours canvas");
+    const { picture } = find(".draws").dataset, canvas = find(".yours canvas");
+    isDrawn = true;
+    find(".yours figcaption").textContent = "is drawn";
+    const { waits, width, colours } = await ask(about, "picture", files(), picture)
+      .finally(() => { isDrawn = false; });
     find(".yours figcaption").textContent = waits ?? "yours";
-    place.querySelector(".draws").classList.toggle("drawn", !waits);
+    find(".draws").classList.toggle("drawn", !waits);
     if (waits) return;
     const bytes = Uint8ClampedArray.from(atob(colours), (letter) => letter.charCodeAt(0));
-    canvas.width = canvas.height = width;
-    canvas.getContext("2d").putImageData(new ImageData(bytes, width), 0, 0);
+    const image = new ImageData(bytes, width);
+    Object.assign(canvas, { width, height: image.height });
+    canvas.getContext("2d").putImageData(image, 0, 0);
   }
 
   const me = {
-    topic, say, progress, number: () => editor.begin(part().line),
+    topic, progress, number: () => editor.begin(part().line),
     renew() {
       if (editor.read() !== part().text) editor.write(part().text);
       me.number();
+      recall();
+    },
+    hear(told, text = part().text) {
+      keepVerdict(number, told, text);
+      recall("");
     },
   };
   shown.set(number, me);
   me.number();
+  recall();
   const pair = place.nextElementSibling;
   if (pair?.matches(".draws")) find(".text").after(pair);
   find(".check").onclick = check;

@@ -1,6 +1,7 @@
 /** What the reader has written: the text of each lab's file. The browser keeps it. */
 const KEY = /^course: labs\/(\w+)\.py$/;
 const labs = new Map(); // topic: a Lab, as it was last read or written
+const verdicts = new Map(); // number of an exercise: what was told of it, and of which text
 
 /** {topic: text} of all files that were written in. */
 export function files() {
@@ -29,6 +30,23 @@ export function keep(topic, say = alert) {
     localStorage.setItem(`course: labs/${topic}.py`, one.text);
   } catch {
     say("Your browser keeps nothing here. Take your zip before you leave this page.");
+  }
+}
+
+/** Keep what was told of an exercise, with the text that was checked. */
+export function keepVerdict(number, told, text) {
+  verdicts.set(number, [told, text]);
+  try {
+    localStorage.setItem(`course: verdict ${number}`, JSON.stringify([told, text]));
+  } catch { /* `keep` has said so */ }
+}
+
+/** -> what was told of an exercise, and of which text; nothing where it was never checked. */
+export function verdict(number) {
+  try {
+    return verdicts.get(number) ?? JSON.parse(localStorage[`course: verdict ${number}`]);
+  } catch {
+    return [];
   }
 }
 

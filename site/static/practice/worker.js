@@ -15,19 +15,13 @@ onmessage = async ({ data: { id, from, asked } }) => {
   }
 };
 
-/** from: where Python and the course's files lie, and which of these the page needs. */
-async function start({ python: home, course: folder, files: needed }) {
+/** from: where Python lies, and the course's files. */
+async function start({ python: home, course }) {
   keep(home);
-  const content = async (file) => (await fetch(new URL(file, folder))).arrayBuffer();
-  const all = Promise.all(["course.tar.bz2", ...needed].map(content));
+  const packed = fetch(course).then((found) => found.arrayBuffer());
   const { loadPyodide } = await import(`${home}pyodide.mjs`);
   const runtime = await loadPyodide({ indexURL: home, packages: ["numpy"] });
-  const [course, ...files] = await all;
-  runtime.unpackArchive(course, "bztar", { extractDir: "/course" });
-  files.forEach((file, k) => {
-    runtime.FS.mkdirTree(`/course/${needed[k]}/..`);
-    runtime.FS.writeFile(`/course/${needed[k]}`, new Uint8Array(file));
-  });
+  runtime.unpackArchive(await packed, "bztar", { extractDir: "/course" });
   runtime.runPython("import sys; sys.path.insert(0, '/course')");
   return { runtime, course: runtime.pyimport("course_on_page") };
 }

@@ -1,1 +1,0 @@
-export const make = (name, properties) => Object.assign(document.createElement(name), properties);
