@@ -10,9 +10,9 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import track
 
-from .. import exercises, places
+from .. import exercises, places, tasks
 from .apart import running, sandbox, typed_json
-from .apart.jobs import Job, failure
+from .apart.jobs import SETS, Job, failure
 from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
 from .handing import contents, submissions
@@ -26,9 +26,10 @@ def run(request: Request) -> int:
     if said:
         print(said, flush=True)
     topics, columns = asked_for(request)
-    limits = limits_of(request.seconds)
+    limits = task_limits(request.task) if request.task else limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
-    seed_of = functools.partial(own_seed, request.seed)
+    seed_of = functools.partial(own_seed, None if request.task else request.seed)
+    task = request.task and task_seeds(request.seed)
     kept, lost = earlier.works(Path(request.out), topics, seed_of)
     handed_in, persons, not_understood = read(request, topics, kept, lost)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
@@ -38,7 +39,7 @@ def run(request: Request) -> int:
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
     todo = [(one, Job(one.texts, one.missing, level, seed_of(one.texts), limits,
-                      bool(request.extra))) for each in handed_in
+                      bool(request.extra), None, task)) for each in handed_in
             for one in book.counting(each, kept.get(each.student), request.count)]
     return grade_all(request, topics, todo, before, results)
 
@@ -46,6 +47,8 @@ def run(request: Request) -> int:
 def asked_for(request):
     """-> (topics, the exercises that count). ValueError: something that decides marks is missing.
     """
+    if request.task:
+        return [request.task], [tasks.column(request.task)]
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     return topics, [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
@@ -88,7 +91,8 @@ def grade_all(request, topics, todo, before, results):
     for record in before:
         results.take(record, record.work)
     if todo:
-        asks = rehearsed(topics, todo[0][1], request.jobs)
+        asks = (tasks.expected(request.task, todo[0][1].task) if request.task else
+                rehearsed(topics, todo[0][1], request.jobs))
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     remember(request)
     files = examine(request, todo, results)
@@ -162,6 +166,11 @@ def limits_of(seconds) -> sandbox.Limits:
     return sandbox.Limits(call=seconds, exercise=12 * seconds)
 
 
+def task_limits(task) -> sandbox.Limits:
+    one = tasks.scorer(task)
+    return sandbox.Limits(call=one.SECONDS, exercise=one.ALL_SECONDS)
+
+
 def made(out) -> Path:
     """The folder for results, made where it is not there. OSError, in one sentence."""
     students = Path(out) / "students"
@@ -197,6 +206,12 @@ def own_seed(seed, texts) -> int:
     """
     text = f"{seed} {contents.digest(texts)}"
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:6], "big")  # exact in a sheet
+
+
+def task_seeds(seed) -> dict:
+    """{set: its seed} of an open task, from the run's seed alone: all are asked the same."""
+    return {name: int.from_bytes(hashlib.sha256(f"{seed} {name}".encode()).digest()[:16], "big")
+            for name in SETS}
 
 
 def rehearsed(topics, like, jobs=None) -> dict:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
-KEPT = ("labs", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
+KEPT = ("labs", "task", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
         "overrides", "people", "all_or_nothing", "count")
 
 
@@ -23,6 +23,7 @@ class Request(NamedTuple):
     submissions: str | None   # None: what the folder out keeps, again
     out: str
     labs: str | None = None
+    task: str | None = None      # an open task, in the place of labs
     jobs: int | None = None      # at a time; None: one for each core
     resume: bool = False
     seed: int | None = None

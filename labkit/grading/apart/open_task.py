@@ -1,0 +1,68 @@
+"""An open task: the calls of each of its sets run in a worker of their own, in the task's limits.
+
+All of a set's calls are the same for all submissions. The labs before the task are given whole, as
+text: a search that asked for each of its pictures through the socket would send gigabytes.
+"""
+from ... import exercises, tasks
+from ...checks import Mismatch
+from ...table import TASKS
+from .answers import Budget
+from .examination import Examination, State
+from .jobs import BOARD, MARK, Result
+from .labs import faster
+from .sandbox import Limits
+
+
+def examine(job) -> Result:
+    """The entries of both sets. The scoreboard's gives no points."""
+    (task,) = {*TASKS} & {*job.texts, *job.missing}
+    entries, lost, calls = [], {}, None
+    for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
+        calls = Calls(job, {task: [tasks.column(task)]})
+        try:
+            entry = tasks.judged(task, name, points, calls.answer, job.task[which],
+                                 job.asks[which])
+        finally:
+            calls.pytest_sessionfinish()
+        seconds = calls.budget.spent.get(task, 0.0) / len(entry.checks)
+        entries.append(entry._replace(checks=[one._replace(seconds=seconds)
+                                              for one in entry.checks]))
+        lost |= {name: why for why in calls.why[:1]}
+    return Result(entries, lost, calls.missing, {}, calls.problem, 0.0)
+
+
+class Calls(Examination):
+    """Calls of an open task's one function."""
+
+    def __init__(self, job, labs):
+        super().__init__(job, labs)
+        self.running, self.at_stake = next(iter(labs)), State.SPOILT
+        self.why = []  # sentences on the workers that were lost
+
+    def answer(self, *given):
+        """What the function returns. A worker that is lost takes a call's time, and its answer."""
+        budget, task = self.budget, self.running
+        if budget.spent.get(task, 0.0) >= self.job.limits.exercise:
+            raise Mismatch(("wrong", f"the {self.job.limits.exercise:g} s for all are used up"))
+        try:
+            self.budget = Budget(Limits())  # to load it is free
+            self.open(task)
+            self.budget = budget
+            return self.call(task, tasks.column(task).name, given, {})
+        except Mismatch:
+            if task in self.lost:
+                self.why.append(self.lost.pop(task))
+                budget.spend(task, self.job.limits.call)
+            raise
+        finally:
+            self.budget = budget
+
+    def earlier_lab(self, topic):
+        return topic, exercises.read(exercises.reference(topic)), ()
+
+    def start(self, own=()):
+        return super().start({**dict(own), **faster()})
+
+    def raise_here(self, topic, error, text, frames):
+        """Without its text: that could tell of what is held back."""
+        super().raise_here(topic, error, "", frames)
