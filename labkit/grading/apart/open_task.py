@@ -3,11 +3,13 @@
 All of a set's calls are the same for all submissions. The labs before the task are given whole, as
 text: a search that asked for each of its pictures through the socket would send gigabytes.
 """
+import re
+
 from ... import exercises, tasks
 from ...checks import Mismatch
 from ...table import TASKS
 from .answers import Budget
-from .examination import Examination, State
+from .examination import Examination, State, printable
 from .jobs import BOARD, MARK, Result
 from .labs import faster
 from .sandbox import Limits
@@ -25,10 +27,17 @@ def examine(job) -> Result:
         finally:
             calls.pytest_sessionfinish()
         seconds = calls.budget.spent.get(task, 0.0) / len(entry.checks)
-        entries.append(entry._replace(checks=[one._replace(seconds=seconds)
-                                              for one in entry.checks]))
+        entries.append(entry._replace(
+            name=entry.name if which == MARK else nickname(job.texts.get(task, "")),
+            checks=[one._replace(seconds=seconds) for one in entry.checks]))
         lost |= {name: why for why in calls.why[:1]}
     return Result(entries, lost, calls.missing, {}, calls.problem, 0.0)
+
+
+def nickname(text):
+    """What a line of its own says, as "# nickname: owl". "": none does."""
+    found = re.search(r"^# nickname: *(\S.{0,23})$", text, re.MULTILINE)
+    return printable(found[1]) if found else ""
 
 
 class Calls(Examination):
