@@ -5,7 +5,7 @@ A task is a module tasks/NAME.py with
     FUNCTION, POINTS      the function that labs/NAME.py must have; what all claims are worth
     SECONDS, ALL_SECONDS  that one call may take, and all of them
     trials(seed)          [(name, arguments)] of all calls
-    expected(trials)      what an answer is compared with: lists and numbers, one for each trial
+    expected(seed)        what an answer is compared with: lists and numbers, one for each trial
     claims(trials, expected, answers)    [(claim, whether it holds, why)]
 
 An answer is an array of numbers, or None where a call returned none. The score is the share of the
@@ -38,7 +38,7 @@ def column(task) -> Exercise:
 
 def expected(task, seeds) -> dict:
     """{name: seed} -> {name: what the scorer expects}."""
-    return {name: scorer(task).expected(scorer(task).trials(seed)) for name, seed in seeds.items()}
+    return {name: scorer(task).expected(seed) for name, seed in seeds.items()}
 
 
 def judged(task, name, points, call, seed, expected) -> Entry:
@@ -78,7 +78,7 @@ def check(task, implementation, seed) -> int:
                          f"tasks/naive/{task}.py there, and make it better")
     kept = places.out("tasks", f"{task}-{seed}.json")  # for some tasks it takes a while
     if not kept.exists():
-        places.write_whole(kept, json.dumps(one.expected(one.trials(seed))).encode())
+        places.write_whole(kept, json.dumps(one.expected(seed)).encode())
     with loader.package(code):
         function = loader.finder(code)(task, one.FUNCTION)
         entry = judged(task, task, one.POINTS, lambda *given: contract.called(function, *given),

@@ -140,9 +140,9 @@ def counter_clockwise(triangle):
 # --- the score ----------------------------------------------------------------------------------
 
 
-def expected(found):
+def expected(seed):
     """The truth of each of the `trials`, as lists."""
-    return [truth(*given).tolist() for _, given in found]
+    return [truth(*given).tolist() for _, given in trials(seed)]
 
 
 def claims(found, truths, answers):
