@@ -4,6 +4,7 @@ A task is a module tasks/NAME.py with
 
     FUNCTION, POINTS      the function that labs/NAME.py must have; what all claims are worth
     SECONDS, ALL_SECONDS  that one call may take, and all of them
+    COUNTED               (topic, name) of the labs' function whose calls are counted, or None
     trials(seed)          [(name, arguments)] of all calls
     expected(seed)        what an answer is compared with: lists and numbers, one for each trial
     claims(trials, expected, answers)    [(claim, whether it holds, why)]
@@ -14,6 +15,7 @@ claims that hold.
 import contextlib
 import importlib
 import json
+import time
 
 import numpy as np
 
@@ -23,7 +25,6 @@ from .checks.assertions import Mismatch
 from .checks.report import Check
 from .checks.showing import layout
 from .exercises import Exercise
-from .table import COMMAND
 from .verdicts import Entry
 
 
@@ -59,6 +60,13 @@ def judged(task, name, points, call, seed, expected) -> Entry:
     return Entry(name, scorer(task).FUNCTION, task, points, False, verdict, False, checks)
 
 
+def counted(names, name):
+    """Count the calls of a module's function from now on: the list that is returned grows."""
+    calls, function = [], names[name]
+    names[name] = lambda *args, **kwargs: (calls.append(1), function(*args, **kwargs))[1]
+    return calls
+
+
 @contextlib.contextmanager
 def noted(wrong):
     """What a call raises is noted, and is no answer."""
@@ -80,11 +88,15 @@ def check(task, implementation, seed) -> int:
     if not kept.exists():
         places.write_whole(kept, json.dumps(one.expected(seed)).encode())
     with loader.package(code):
-        function = loader.finder(code)(task, one.FUNCTION)
+        topic, name = one.COUNTED or (task, one.FUNCTION)
+        calls = counted(vars(loader.load_topic(code / f"{topic}.py")), name)
+        function, began = loader.finder(code)(task, one.FUNCTION), time.process_time()
         entry = judged(task, task, one.POINTS, lambda *given: contract.called(function, *given),
                        seed, json.loads(kept.read_bytes()))
+        seconds = time.process_time() - began
     for each in entry.checks:
         print(f"{each.verdict:7} {each.claim}: {each.message}")
-    print(f"{task}: {entry.told_points(entry.reached)}. {COMMAND} check {task} --seed 1 has other "
-          f"random numbers, tasks/{task}.md the rules.")
+    print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "
+          f"{one.ALL_SECONDS:g} s of a processor and {len(calls)} calls of {topic}.{name}. "
+          f"--seed 1 has other random numbers. The rules are in tasks/{task}.md.")
     return int(entry.verdict != "done")

@@ -91,8 +91,7 @@ def grade_all(request, topics, todo, before, results):
     for record in before:
         results.take(record, record.work)
     if todo:
-        asks = (tasks.expected(request.task, todo[0][1].task) if request.task else
-                rehearsed(topics, todo[0][1], request.jobs))
+        asks = rehearsed(topics, todo[0][1], request.jobs)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     remember(request)
     files = examine(request, todo, results)
@@ -215,11 +214,14 @@ def task_seeds(seed) -> dict:
 
 
 def rehearsed(topics, like, jobs=None) -> dict:
-    """What each exercise of the reference asks of others: Job.asks, found by grading it.
+    """What each exercise of the reference asks of others: Job.asks, found by grading it. Of an
+    open task, which no reference answers, what is expected.
 
     like: a Job with the same level, limits and extras.
     ValueError: the reference itself does not earn all points here, so nothing else is graded.
     """
+    if like.task:
+        return tasks.expected(*topics, like.task)
     texts = [(topic, exercises.read(exercises.reference(topic))) for topic in topics]
     jobs = jobs or os.cpu_count()
     todo = [(None, like._replace(texts=dict(texts[k::jobs]), missing={}, seed=0, asks=None))

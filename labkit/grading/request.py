@@ -13,8 +13,8 @@ from typing import NamedTuple
 from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
-KEPT = ("labs", "task", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
-        "overrides", "people", "all_or_nothing", "count")
+KEPT = ("labs", "task", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late",
+        "grace", "overrides", "people", "all_or_nothing", "count")
 
 
 class Request(NamedTuple):

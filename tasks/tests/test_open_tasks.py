@@ -124,14 +124,16 @@ def test_the_truth_is_too_slow_to_hand_in(monkeypatch):
 def test_a_search_has_the_labs_whole():
     """Earlier labs answer through the socket: a search dies of its thousand pictures."""
     naive = exercises.read(places.ROOT / "tasks" / "naive" / "one_picture.py")
-    [(_, said)] = scored(naive.replace("steps=300", "steps=3"), "one_picture")
+    found = open_task.examine(job(naive.replace("steps=300", "steps=3"), "one_picture"))
+    assert found.asked[BOARD] == {"rasterization.rasterize": 3}, "a render is a call"
+    said = found.entries[0].checks[0].message
     assert re.fullmatch(r"turn \d+\.\d and light \d+\.\d degrees off, focal length \d.*", said)
 
 
 def test_a_scoreboard_names_nobody():
     """A nickname is HTML; a student's name, or what the mark is made of, stands on it."""
     entry = tasks.judged("honest_edge", BOARD, 0, lambda *_: None, 0, [[0.0]] * 4)
-    Told = type("Told", (), {"result": type("Found", (), {"entries": [
+    Told = type("Told", (), {"result": type("Found", (), {"asked": {}, "entries": [
         entry._replace(name=open_task.nickname("x\n# nickname: <b>owl\n")),
         entry._replace(number="honest_edge", name="secret")]})})
     page = scoreboard.page([Told])

@@ -4,8 +4,7 @@ from typing import NamedTuple
 from ...verdicts import Entry
 from .sandbox import Limits
 
-
-SETS = MARK, BOARD = "mark", "scoreboard"  # two sets of an open task: nobody fits the mark to the board
+SETS = MARK, BOARD = "mark", "scoreboard"  # of an open task: nobody fits the mark to the board
 
 
 class Job(NamedTuple):

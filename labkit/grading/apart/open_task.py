@@ -3,6 +3,8 @@
 All of a set's calls are the same for all submissions. The labs before the task are given whole, as
 text: a search that asked for each of its pictures through the socket would send gigabytes.
 """
+import contextlib
+import inspect
 import re
 
 from ... import exercises, tasks
@@ -18,20 +20,21 @@ from .sandbox import Limits
 def examine(job) -> Result:
     """The entries of both sets. The scoreboard's gives no points."""
     (task,) = {*TASKS} & {*job.texts, *job.missing}
-    entries, lost, calls = [], {}, None
+    entries, lost, asked = [], {}, {}
     for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
         calls = Calls(job, {task: [tasks.column(task)]})
         try:
             entry = tasks.judged(task, name, points, calls.answer, job.task[which],
                                  job.asks[which])
+            asked[name] = calls.counted()
         finally:
             calls.pytest_sessionfinish()
         seconds = calls.budget.spent.get(task, 0.0) / len(entry.checks)
         entries.append(entry._replace(
             name=entry.name if which == MARK else nickname(job.texts.get(task, "")),
             checks=[one._replace(seconds=seconds) for one in entry.checks]))
-        lost |= {name: why for why in calls.why[:1]}
-    return Result(entries, lost, calls.missing, {}, calls.problem, 0.0)
+        lost |= zip([name], calls.why[:1], strict=False)
+    return Result(entries, lost, calls.missing, asked, calls.problem, 0.0)
 
 
 def nickname(text):
@@ -66,8 +69,20 @@ class Calls(Examination):
         finally:
             self.budget = budget
 
+    def counted(self):
+        """{"topic.name": how often that function was called since a worker was lost}."""
+        if not (which := tasks.scorer(self.running).COUNTED) or self.worker is None:
+            return {}
+        with contextlib.suppress(Mismatch, TypeError, ValueError, OverflowError):
+            return {".".join(which): int(self.call(which[0], "count_of_calls", (), {}))}
+
     def earlier_lab(self, topic):
-        return topic, exercises.read(exercises.reference(topic)), ()
+        """Whole, as the reference has it, with a count of what is counted in it."""
+        text, which = exercises.read(exercises.reference(topic)), tasks.scorer(self.running).COUNTED
+        if which and which[0] == topic:
+            text += (f"\n\n{inspect.getsource(tasks.counted)}\nCALLS = counted(globals(), "
+                     f"{which[1]!r})\n\ndef count_of_calls():\n    return len(CALLS)\n")
+        return topic, text, ()
 
     def start(self, own=()):
         return super().start({**dict(own), **faster()})

@@ -144,8 +144,9 @@ def at_a_time(name, every, topics, groups):
     notes = [note for _, _, said, _ in every for note in said]
     labs = [there for *_, there in every]
     whole, _ = contents.texts_of(archives.newest(labs, []), (*exercises.topics(), *TASKS), [])
-    taken = archives.newest([{topic: lab for topic, lab in there.items() if topic in topics
-                              or topic not in (*exercises.TOPICS, *TASKS)} for there in labs], notes)
+    others = {*exercises.TOPICS, *TASKS} - {*topics}
+    taken = archives.newest([{topic: lab for topic, lab in there.items() if topic not in others}
+                             for there in labs], notes)
     texts, missing = contents.texts_of(taken, topics, notes)
     sender, path, *_ = every[0]
     return Submission(name, texts, missing, tuple(notes), sender.identity, sender.handed_in,
