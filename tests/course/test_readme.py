@@ -47,7 +47,7 @@ def test_every_lab_has_its_row():
             f"notebooks/{exercises.lecture(topics[0]).name}", f"reference/{topics[0]}.py"]
 
 
-@pytest.mark.parametrize("house", ["", "apps", "benchmarks", "course", "labkit", "tests"])
+@pytest.mark.parametrize("house", ["", "apps", "benchmarks", "course", "labkit", "tasks", "tests"])
 def test_links_lead_somewhere(house):
     """A file was renamed."""
     for page in places.ROOT.glob(f"{house}/**/*.md" if house else "*.md"):
