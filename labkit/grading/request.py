@@ -23,7 +23,6 @@ class Request(NamedTuple):
     submissions: str | None   # None: what the folder out keeps, again
     out: str
     labs: str | None = None
-    task: str | None = None      # an open task, in the place of labs
     jobs: int | None = None      # at a time; None: one for each core
     resume: bool = False
     seed: int | None = None
@@ -40,6 +39,7 @@ class Request(NamedTuple):
     people: str | None = None
     all_or_nothing: bool | None = None  # not by the share of claims that hold
     count: str | None = None  # of several hand-ins: newest, last-on-time or best
+    task: str | None = None   # an open task, in the place of labs
 
 
 def recalled(request) -> tuple[Request, str]:
