@@ -12,6 +12,7 @@ labs.toml tells it of a course. A course of other exercises has this folder, and
     lab_text     their answers, taken out of a module and put back
     checks       assertions, hints, the report: the pytest plugin
     verdicts     what became of an exercise: done, failing, blocked by 2.1
+    tasks        open tasks: their scorers, and scores at home
     board        a screen: what is done, and what to do next
     upkeep       what makes labs, hints and notebooks
     grading      hand out, grade, report

@@ -3,7 +3,7 @@ import argparse
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .table import LABS
+from .table import LABS, TASKS
 
 LOOK, DO = "to look and to read", "to do the labs"
 TEACH, WORK = FOR_TEACHERS = "to teach", "to work on the course"  # not in a copy for students
@@ -61,7 +61,8 @@ OPENED = option("target", metavar="TARGET",
 @command(
     DO, "check [TARGET]",
     option("target", nargs="?", metavar="TARGET",
-           help=f"a topic ({LABS[0][0]}), a lab (1) or an exercise (1.1); without, everything"),
+           help=f"a topic ({LABS[0][0]}), a lab (1), an exercise (1.1) or an open task; "
+                "without, all labs"),
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check"),
     option("--watch", action="store_true", help="check again whenever a file is saved"),
     option("--pictures", action="store_true",
@@ -74,7 +75,9 @@ def check(asked):
 
     Status 0 only if all that was asked for passes.
     """
-    from . import board
+    from . import board, tasks
+    if asked.target in TASKS:
+        return tasks.check(asked.target, asked.impl, asked.seed)
     run = board.watch if asked.watch else board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
                pictures=asked.pictures, extra=asked.extra)
@@ -135,6 +138,7 @@ def solutions(asked):
            help="a folder of folders, zips or single files; without, what DIR keeps, again"),
     option("--out", required=True, metavar="DIR", help="where reports and tables are written"),
     option("--labs", metavar="1-4", help="grade these labs; without, all of them"),
+    option("--task", metavar="NAME", choices=TASKS, help="grade this open task, and no lab"),
     option("--jobs", type=whole_number(1), metavar="N",
            help="how many at a time; without, one for each core"),
     option("--resume", action="store_true", help="keep results of the same work and checks"),

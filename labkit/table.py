@@ -9,6 +9,7 @@ TITLE = TABLE["title"]
 COMMAND = f"python3 -m {NAME}"
 WHEN_DONE = TABLE["when_done"]  # what the board says then
 LABS = tuple(map(tuple, TABLE["labs"]))  # the topics of each lab, one module each
+TASKS = tuple(TABLE.get("tasks", ()))     # open tasks, one module of tasks/ each
 GIVEN = tuple(TABLE["given"])            # modules that labs may import
 USED = tuple(TABLE["used"])              # files that labs and checks use, as patterns
 README = ROOT / TABLE["readme"]          # of a hand-out, with places for its labs

@@ -3,6 +3,7 @@ import base64
 import html
 from pathlib import Path
 
+from ..table import TASKS
 from .report import rerun
 
 MOST_TEXT = 4000  # characters of one message on a page
@@ -92,9 +93,11 @@ def exercise_part(entry, reached, lost: str | None, pictures: dict, seed: int) -
     it, or None.
     """
     failed = [check for check in entry.checks if check.verdict != "passed"]
+    again = (rerun(entry.number, seed=seed) if entry.topic not in TASKS else
+             f"{rerun(entry.topic)}, which has other random numbers")
     parts = [f"<h2>{entry.number} {html.escape(entry.name)}: {coloured(entry.told)}</h2>",
              paragraph(f"{entry.told_points(reached)}. "
-                       f"To check it again: {rerun(entry.number, seed=seed)}")]
+                       f"To check it again: {again}")]
     if lost:
         parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
     for check in failed:

@@ -10,9 +10,9 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import track
 
-from .. import exercises, places
+from .. import exercises, places, tasks
 from .apart import running, sandbox, typed_json
-from .apart.jobs import Job, failure
+from .apart.jobs import SETS, Job, failure
 from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
 from .handing import contents, submissions
@@ -26,9 +26,10 @@ def run(request: Request) -> int:
     if said:
         print(said, flush=True)
     topics, columns = asked_for(request)
-    limits = limits_of(request.seconds)
+    limits = task_limits(request.task) if request.task else limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
-    seed_of = functools.partial(own_seed, request.seed)
+    seed_of = functools.partial(own_seed, None if request.task else request.seed)
+    task = request.task and task_seeds(request.seed)
     kept, lost = earlier.works(Path(request.out), topics, seed_of)
     handed_in, persons, not_understood = read(request, topics, kept, lost)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
@@ -38,7 +39,7 @@ def run(request: Request) -> int:
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
     todo = [(one, Job(one.texts, one.missing, level, seed_of(one.texts), limits,
-                      bool(request.extra))) for each in handed_in
+                      bool(request.extra), None, task)) for each in handed_in
             for one in book.counting(each, kept.get(each.student), request.count)]
     return grade_all(request, topics, todo, before, results)
 
@@ -46,6 +47,8 @@ def run(request: Request) -> int:
 def asked_for(request):
     """-> (topics, the exercises that count). ValueError: something that decides marks is missing.
     """
+    if request.task:
+        return [request.task], [tasks.column(request.task)]
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     return topics, [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
@@ -162,6 +165,11 @@ def limits_of(seconds) -> sandbox.Limits:
     return sandbox.Limits(call=seconds, exercise=12 * seconds)
 
 
+def task_limits(task) -> sandbox.Limits:
+    one = tasks.scorer(task)
+    return sandbox.Limits(call=one.SECONDS, exercise=one.ALL_SECONDS)
+
+
 def made(out) -> Path:
     """The folder for results, made where it is not there. OSError, in one sentence."""
     students = Path(out) / "students"
@@ -199,12 +207,21 @@ def own_seed(seed, texts) -> int:
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:6], "big")  # exact in a sheet
 
 
+def task_seeds(seed) -> dict:
+    """{set: its seed} of an open task, from the run's seed alone: all are asked the same."""
+    return {name: int.from_bytes(hashlib.sha256(f"{seed} {name}".encode()).digest()[:16], "big")
+            for name in SETS}
+
+
 def rehearsed(topics, like, jobs=None) -> dict:
-    """What each exercise of the reference asks of others: Job.asks, found by grading it.
+    """What each exercise of the reference asks of others: Job.asks, found by grading it. Of an
+    open task, which no reference answers, what is expected.
 
     like: a Job with the same level, limits and extras.
     ValueError: the reference itself does not earn all points here, so nothing else is graded.
     """
+    if like.task:
+        return tasks.expected(*topics, like.task)
     texts = [(topic, exercises.read(exercises.reference(topic))) for topic in topics]
     jobs = jobs or os.cpu_count()
     todo = [(None, like._replace(texts=dict(texts[k::jobs]), missing={}, seed=0, asks=None))

@@ -13,8 +13,8 @@ from typing import NamedTuple
 from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
-KEPT = ("labs", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
-        "overrides", "people", "all_or_nothing", "count")
+KEPT = ("labs", "task", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late",
+        "grace", "overrides", "people", "all_or_nothing", "count")
 
 
 class Request(NamedTuple):
@@ -39,6 +39,7 @@ class Request(NamedTuple):
     people: str | None = None
     all_or_nothing: bool | None = None  # not by the share of claims that hold
     count: str | None = None  # of several hand-ins: newest, last-on-time or best
+    task: str | None = None   # an open task, in the place of labs
 
 
 def recalled(request) -> tuple[Request, str]:

@@ -4,6 +4,7 @@
     DIR/grades.csv      points for each exercise
     DIR/changes.csv     points that are other ones than in the last run, and why
     DIR/index.html      the overview
+    DIR/scoreboard.html  of an open task: nicknames, and what holds
     DIR/code/           what was handed in, for programs that look for copies
     DIR/feedback.zip    the reports, to give back
 """
@@ -11,12 +12,12 @@ import shutil
 from typing import NamedTuple
 
 from .. import places
-from ..table import COMMAND
+from ..table import COMMAND, TASKS
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
 from .handing import texts
-from .pages import overview, report, unusual
+from .pages import overview, report, scoreboard, unusual
 
 
 class Run(NamedTuple):
@@ -112,6 +113,9 @@ class Results:
                                  self.run.not_understood, self.unusual,
                                  len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
+        if any(column.number in TASKS for column in self.run.columns):
+            page = scoreboard.page(records)
+            places.write_whole(self.out / "scoreboard.html", page.encode("utf-8"))
 
     def changes(self):
         """Yield `worth.changes` since the last run."""

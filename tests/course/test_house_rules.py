@@ -10,7 +10,7 @@ from labkit import exercises
 from labkit.upkeep import weight
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = "reference", "course", "labkit", "apps", "teaching"
+FOLDERS = "reference", "course", "labkit", "apps", "tasks", "teaching"
 IN_REFERENCE = "reference", "course/complete", "course/fast"  # one package's modules
 LINES = 350       # of a module
 TITLE_LINES = 20  # of the docstring of a module that is taught

@@ -30,6 +30,7 @@ HOUSES = {  # each house, and those below it that it imports
     "teaching": ("course.given",),                # likewise
     "apps.bridge": ("labkit", "course.given"),    # likewise
     "apps.reconstruct": ("labkit", "course.given", "course.scenes"),
+    "tasks": ("labkit", "course.given", "course.scenes"),
     "course": ("labkit", "course.scenes", "apps.bridge", "apps.reconstruct")}  # its commands
 OF_BOTH = "complete", "fast"  # folders of course/ whose modules are of reference and of labs
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides

@@ -48,7 +48,7 @@ def test_every_lab_has_its_row():
 
 
 @pytest.mark.parametrize(
-    "house", ["", "apps", "benchmarks", "course", "labkit", "teaching", "tests"])
+    "house", ["", "apps", "benchmarks", "course", "labkit", "tasks", "teaching", "tests"])
 def test_links_lead_somewhere(house):
     """A file was renamed."""
     for page in places.ROOT.glob(f"{house}/**/*.md" if house else "*.md"):

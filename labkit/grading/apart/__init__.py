@@ -13,6 +13,7 @@
     answers      the reference's, to a worker that asks; what all of it may take
     examination  the course's checks, with workers in the place of the labs
     jobs         what is examined, and what comes of it
+    open_task    an open task's trials, each a call in a worker
     typed_json   these as JSON, between our own processes
     examine      one submission, in a process of its own
     running      many of these processes

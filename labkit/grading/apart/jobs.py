@@ -4,6 +4,8 @@ from typing import NamedTuple
 from ...verdicts import Entry
 from .sandbox import Limits
 
+SETS = MARK, BOARD = "mark", "scoreboard"  # of an open task: nobody fits the mark to the board
+
 
 class Job(NamedTuple):
     """What is to be examined: the labs' texts, and a sentence for each that is not there."""
@@ -15,7 +17,8 @@ class Job(NamedTuple):
     limits: Limits = Limits()
     extra: bool = False       # whether extras are examined, too
     asks: dict | None = None  # {exercise: {"topic.name": bytes that the reference asks it for}}.
-    #                           None: find that out
+    #                           None: find that out. Of an open task: what is expected of each set
+    task: dict | None = None  # of an open task: the seed of each of its sets, MARK and BOARD
 
 
 class Result(NamedTuple):

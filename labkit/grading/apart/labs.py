@@ -1,16 +1,16 @@
 """What a worker is sent of the course's labs besides the one that was handed in."""
 import functools
 
-from ... import exercises, lab_text
+from ... import exercises, lab_text, places
 from ...imports import imports
-from ...table import GIVEN
+from ...table import FAST, GIVEN, TASKS
 
 
 @functools.cache
 def before_it(topic):
-    """The topics before this one: those that it may import."""
+    """The topics before this one, all before an open task: those that it may import."""
     topics = exercises.topics()
-    return topics[:topics.index(topic)]
+    return topics if topic in TASKS else topics[:topics.index(topic)]
 
 
 @functools.cache
@@ -29,6 +29,12 @@ def exercise_numbers(topic):
 def preloaded(topic):
     """The modules of SciPy and the course that a topic, or one before it, imports."""
     return tuple(dict.fromkeys(
-        need.what for each in (*before_it(topic), topic)
+        need.what for each in (*before_it(topic), topic) if each not in TASKS
         for need in imports(exercises.read(exercises.reference(each)))
         if need.at_the_top and (need.what in GIVEN or need.what.startswith("scipy"))))
+
+
+@functools.cache
+def faster():
+    """{module: its text} of what an open task has besides: what is faster, in NumPy."""
+    return {path.stem: exercises.read(path) for path in places.ROOT.glob(f"{FAST}/*.py")}

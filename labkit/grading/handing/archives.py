@@ -14,7 +14,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 from ... import exercises, imports
-from ...table import COMMAND, HANDED_OUT, NAME, USED
+from ...table import COMMAND, HANDED_OUT, NAME, TASKS, USED
 from .contents import MOST_TEXT, Lab, readable, texts_of
 
 BUDGET = 1 << 23         # bytes that are read of what one student has handed in. Among these,
@@ -27,7 +27,7 @@ NOT_THEIRS = {"reference", "tests", "notebooks", "handed_out", *OURS,
               "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}  # others'
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*+"  # transforms (1), transforms-2
 LAB = re.compile(r"(?:(.*?)(?<![\W_])[\W_]++)??((?a:"
-                 + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
+                 + "|".join(sorted((*exercises.TOPICS, *TASKS), key=len, reverse=True))
                  + rf")){COPY}\.py", re.I | re.S)
 
 

@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 from ... import board, exercises, imports, places, verdicts
+from ...table import TASKS
 from . import archives, contents
 
 
@@ -17,12 +18,13 @@ def run(name="labs.zip") -> int:
     """
     labs = places.ROOT / "labs"
     read = functools.partial(imports.text_in, labs)
-    there = {topic: text for topic in exercises.lab_topics() if (text := read(topic)) is not None}
+    there = {topic: text for topic in (*exercises.lab_topics(), *TASKS)
+             if (text := read(topic)) is not None}
     places.write_whole(name, archives.zipped(
         (f"labs/{each}.py", (labs / f"{each}.py").read_bytes())
         for each in (*there, *imports.own_modules(there.values(), read))))
 
-    texts, missing, notes = archives.read(name, exercises.lab_topics())
+    texts, missing, notes = archives.read(name, (*exercises.lab_topics(), *({*TASKS} & {*there})))
     with tempfile.TemporaryDirectory() as made:
         folder = str(Path(made).resolve())
         for topic, text in texts.items():
@@ -33,6 +35,6 @@ def run(name="labs.zip") -> int:
         print(said.getvalue().replace(f" --impl {folder}", "").replace(folder, "labs"), end="")
     for sentence in (*missing.values(), *notes):
         print(sentence)
-    asked = {topic: exercises.topic_exercises(topic) for topic in there}
+    asked = {topic: exercises.topic_exercises(topic) for topic in there if topic not in TASKS}
     print(f"{name} is what to hand in; hash {contents.digest(texts)}")
     return int(bool(missing or notes or verdicts.not_there(asked, labs)[1]))

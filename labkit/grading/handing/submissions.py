@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ... import exercises
+from ...table import TASKS
 from . import archives, contents, platforms
 
 LONGEST_NAME = 100  # bytes of a student's name as a folder
@@ -142,9 +143,10 @@ def at_a_time(name, every, topics, groups):
     """What a student had handed in when the first of these came, the newest."""
     notes = [note for _, _, said, _ in every for note in said]
     labs = [there for *_, there in every]
-    whole, _ = contents.texts_of(archives.newest(labs, []), exercises.topics(), [])
-    taken = archives.newest([{topic: lab for topic, lab in there.items() if topic in topics
-                              or topic not in exercises.TOPICS} for there in labs], notes)
+    whole, _ = contents.texts_of(archives.newest(labs, []), (*exercises.topics(), *TASKS), [])
+    others = {*exercises.TOPICS, *TASKS} - {*topics}
+    taken = archives.newest([{topic: lab for topic, lab in there.items() if topic not in others}
+                             for there in labs], notes)
     texts, missing = contents.texts_of(taken, topics, notes)
     sender, path, *_ = every[0]
     return Submission(name, texts, missing, tuple(notes), sender.identity, sender.handed_in,

@@ -1,6 +1,7 @@
 """What instructors and students read.
 
-    report    a student's page
-    overview  the class's page
-    unusual   what a person should look at, in each submission
+    report      a student's page
+    overview    the class's page
+    scoreboard  of an open task
+    unusual     what a person should look at, in each submission
 """

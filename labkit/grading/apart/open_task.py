@@ -1,0 +1,92 @@
+"""An open task: the calls of each of its sets run in a worker of their own, in the task's limits.
+
+All of a set's calls are the same for all submissions. The labs before the task are given whole, as
+text: a search that asked for each of its pictures through the socket would send gigabytes.
+"""
+import contextlib
+import inspect
+import re
+
+from ... import exercises, tasks
+from ...checks import Mismatch
+from ...table import TASKS
+from .answers import Budget
+from .examination import Examination, State, printable
+from .jobs import BOARD, MARK, Result
+from .labs import faster
+from .sandbox import Limits
+
+
+def examine(job) -> Result:
+    """The entries of both sets. The scoreboard's gives no points."""
+    (task,) = {*TASKS} & {*job.texts, *job.missing}
+    entries, lost, asked = [], {}, {}
+    for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
+        calls = Calls(job, {task: [tasks.column(task)]})
+        try:
+            entry = tasks.judged(task, name, points, calls.answer, job.task[which],
+                                 job.asks[which])
+            asked[name] = calls.counted()
+        finally:
+            calls.pytest_sessionfinish()
+        seconds = calls.budget.spent.get(task, 0.0) / len(entry.checks)
+        entries.append(entry._replace(
+            name=entry.name if which == MARK else nickname(job.texts.get(task, "")),
+            checks=[one._replace(seconds=seconds) for one in entry.checks]))
+        lost |= zip([name], calls.why[:1], strict=False)
+    return Result(entries, lost, calls.missing, asked, calls.problem, 0.0)
+
+
+def nickname(text):
+    """What a line of its own says, as "# nickname: owl". "": none does."""
+    found = re.search(r"^# nickname: *(\S.{0,23})$", text, re.MULTILINE)
+    return printable(found[1]) if found else ""
+
+
+class Calls(Examination):
+    """Calls of an open task's one function."""
+
+    def __init__(self, job, labs):
+        super().__init__(job, labs)
+        self.running, self.at_stake = next(iter(labs)), State.SPOILT
+        self.why = []  # sentences on the workers that were lost
+
+    def answer(self, *given):
+        """What the function returns. A worker that is lost takes a call's time, and its answer."""
+        budget, task = self.budget, self.running
+        if budget.spent.get(task, 0.0) >= self.job.limits.exercise:
+            raise Mismatch(("wrong", f"the {self.job.limits.exercise:g} s for all are used up"))
+        try:
+            self.budget = Budget(Limits())  # to load it is free
+            self.open(task)
+            self.budget = budget
+            return self.call(task, tasks.column(task).name, given, {})
+        except Mismatch:
+            if task in self.lost:
+                self.why.append(self.lost.pop(task))
+                budget.spend(task, self.job.limits.call)
+            raise
+        finally:
+            self.budget = budget
+
+    def counted(self):
+        """{"topic.name": how often that function was called since a worker was lost}."""
+        if not (which := tasks.scorer(self.running).COUNTED) or self.worker is None:
+            return {}
+        with contextlib.suppress(Mismatch, TypeError, ValueError, OverflowError):
+            return {".".join(which): int(self.call(which[0], "count_of_calls", (), {}))}
+
+    def earlier_lab(self, topic):
+        """Whole, as the reference has it, with a count of what is counted in it."""
+        text, which = exercises.read(exercises.reference(topic)), tasks.scorer(self.running).COUNTED
+        if which and which[0] == topic:
+            text += (f"\n\n{inspect.getsource(tasks.counted)}\nCALLS = counted(globals(), "
+                     f"{which[1]!r})\n\ndef count_of_calls():\n    return len(CALLS)\n")
+        return topic, text, ()
+
+    def start(self, own=()):
+        return super().start({**dict(own), **faster()})
+
+    def raise_here(self, topic, error, text, frames):
+        """Without its text: that could tell of what is held back."""
+        super().raise_here(topic, error, "", frames)

@@ -1,0 +1,102 @@
+"""Open tasks: what no reference answers. A scorer draws what is asked for, and says what holds.
+
+A task is a module tasks/NAME.py with
+
+    FUNCTION, POINTS      the function that labs/NAME.py must have; what all claims are worth
+    SECONDS, ALL_SECONDS  that one call may take, and all of them
+    COUNTED               (topic, name) of the labs' function whose calls are counted, or None
+    trials(seed)          [(name, arguments)] of all calls
+    expected(seed)        what an answer is compared with: lists and numbers, one for each trial
+    claims(trials, expected, answers)    [(claim, whether it holds, why)]
+
+An answer is an array of numbers, or None where a call returned none. The score is the share of the
+claims that hold.
+"""
+import contextlib
+import importlib
+import json
+import time
+
+import numpy as np
+
+from . import contract, places
+from .checks import loader
+from .checks.assertions import Mismatch
+from .checks.report import Check
+from .checks.showing import layout
+from .exercises import Exercise
+from .verdicts import Entry
+
+
+def scorer(task):
+    return importlib.import_module(f"tasks.{task}")
+
+
+def column(task) -> Exercise:
+    """The task as what counts, in the place of an exercise."""
+    return Exercise(task, scorer(task).FUNCTION, scorer(task).POINTS, 0, ())
+
+
+def expected(task, seeds) -> dict:
+    """{name: seed} -> {name: what the scorer expects}."""
+    return {name: scorer(task).expected(seed) for name, seed in seeds.items()}
+
+
+def judged(task, name, points, call, seed, expected) -> Entry:
+    """Ask for all trials of a seed -> an Entry of this name. call(*arguments) -> what is returned.
+
+    expected: what the scorer expects at this seed.
+    """
+    found, answers, wrong = scorer(task).trials(seed), [], []
+    for _, given in found:
+        answers.append(None)
+        with noted(wrong):
+            answers[-1] = np.asarray(call(*given), dtype=np.float64)
+    why = layout([("wrong", wrong[0])] if wrong else [])
+    checks = [Check(name, f"{name}::{claim}", claim, "passed" if holds else "failed",
+                    "\n".join(filter(None, [said, why])), None, 0.0, False)
+              for claim, holds, said in scorer(task).claims(found, expected, answers)]
+    verdict = "done" if all(check.verdict == "passed" for check in checks) else "failing"
+    return Entry(name, scorer(task).FUNCTION, task, points, False, verdict, False, checks)
+
+
+def counted(names, name):
+    """Count the calls of a module's function from now on: the list that is returned grows."""
+    calls, function = [], names[name]
+    names[name] = lambda *args, **kwargs: (calls.append(1), function(*args, **kwargs))[1]
+    return calls
+
+
+@contextlib.contextmanager
+def noted(wrong):
+    """What a call raises is noted, and is no answer."""
+    try:
+        yield
+    except Mismatch as mismatch:
+        wrong.append(dict(mismatch.rows)["wrong"])
+    except Exception as error:
+        wrong.append(f"{type(error).__name__}: {error}")
+
+
+def check(task, implementation, seed) -> int:
+    """Score labs/TASK.py at home, and show it -> 0 if all claims hold, else 1."""
+    code, one = loader.folder(implementation), scorer(task)
+    if not (code / f"{task}.py").exists():
+        raise ValueError(f"there is no {places.shown_path(code / task)}.py: copy "
+                         f"tasks/naive/{task}.py there, and make it better")
+    kept = places.out("tasks", f"{task}-{seed}.json")  # for some tasks it takes a while
+    if not kept.exists():
+        places.write_whole(kept, json.dumps(one.expected(seed)).encode())
+    with loader.package(code):
+        topic, name = one.COUNTED or (task, one.FUNCTION)
+        calls = counted(vars(loader.load_topic(code / f"{topic}.py")), name)
+        function, began = loader.finder(code)(task, one.FUNCTION), time.process_time()
+        entry = judged(task, task, one.POINTS, lambda *given: contract.called(function, *given),
+                       seed, json.loads(kept.read_bytes()))
+        seconds = time.process_time() - began
+    for each in entry.checks:
+        print(f"{each.verdict:7} {each.claim}: {each.message}")
+    print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "
+          f"{one.ALL_SECONDS:g} s of a processor and {len(calls)} calls of {topic}.{name}. "
+          f"--seed 1 has other random numbers. The rules are in tasks/{task}.md.")
+    return int(entry.verdict != "done")

@@ -1,0 +1,5 @@
+"""The naive answers. Copy one into labs/, and make it better.
+
+    honest_edge  nothing changes
+    one_picture  Adam, from a bunny that stands upright
+"""
