@@ -80,9 +80,10 @@ def fit(labs, goal, scene, stages=STAGES):
             loss, taped = loss_of(labs, scene, target)
             return loss.value, Scene(*labs.tape.gradients(loss, taped))
 
-        rates = [Scene(rate, rate, 2 * rate, 2 * rate) for rate in lab9.decay(rate, 0.2, steps)]
+        rates = [Scene(0.7 * rate, rate, 2 * rate, 2 * rate)
+                 for rate in lab9.decay(rate, 0.2, steps)]
         for step in lab9.descend(scene, gradient, rates, project=lambda found: (
-                found._replace(turn=mesh.unit(found.turn)))):
+                found._replace(turn=found.turn / np.linalg.norm(found.turn)))):
             yield step
             scene = step[0]
 
