@@ -158,8 +158,10 @@ def neighbours(axis, screen, rows, pairs, n):
 
 
 @kernel
-def keep_outlines(screen, surface, pairs, begin, end):
-    """Of the pairs begin <= n < end, those that are blended are written from begin on -> their end.
+def keep_outlines(screen, surface, pairs, begin, end, through, met):
+    """Of the pairs begin <= n < end, those that are blended are written from begin on. owner, other
+    and face of second walks that pass the other's centre are written to through, from met on
+    -> the ends of both.
     """
     points, faces, opposite = surface
     face_index, owners, others = screen.face_index, pairs.owner, pairs.other
@@ -174,13 +176,17 @@ def keep_outlines(screen, surface, pairs, begin, end):
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
-            elif at.c < 1 or is_back or face_index[other] < 0:
+            elif at.c < 1 or face_index[other] < 0:
+                break
+            elif is_back:
+                through[0, met], through[1, met], through[2, met] = owner, other, at.face
+                met += 1
                 break
             else:
                 owner, other, is_back = other, owner, True
                 frame = frame_of(owner, other, width)
                 at = leave(points, faces, np.intp(face_index[owner]), frame)
-    return kept
+    return kept, met
 
 
 @kernel
@@ -198,13 +204,14 @@ def put(pairs, n, owner, other, at, surface, frame):
 
 
 @kernel
-def find_pairs(screen, surface, rows, pairs):
+def find_pairs(screen, surface, rows, pairs, through):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
-    those with the one above -> how many there are of the first, and in all.
+    those with the one above -> how many there are of the first, and in all; and of `through`.
     """
-    beside = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0))
-    return beside, keep_outlines(screen, surface, pairs, beside,
-                                 neighbours(1, screen, rows, pairs, beside))
+    beside, met = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0),
+                                through, 0)
+    end = neighbours(1, screen, rows, pairs, beside)
+    return (beside, met), keep_outlines(screen, surface, pairs, beside, end, through, met)
 
 
 @kernel

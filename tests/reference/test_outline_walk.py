@@ -26,7 +26,7 @@ def test_the_whole_derivative_of_a_ball_s_area_is_found(count, least):
     assert abs(lost(outline_walk.walked_pairs(*seen))) < 0.015
     assert lost(outlines.blended_pairs(*seen)) > least  # else any rule would do
     pull = outline_walk.outline_pull_backward(np.ones_like(white), white,
-                                              outline_walk.outline_pairs(*seen), seen[2])
+                                              outline_walk.outline_pairs(*seen)[0], seen[2])
     assert (pull * (vertices @ FAR[:, :3].T)).sum() == pytest.approx(exact, rel=0.01)
 
 
@@ -55,7 +55,7 @@ def test_smaller_faces_have_the_same_outlines(scene):
 
 def sorted_pairs(*seen):
     """owner, other and c (N, 3) of `outline_pairs`."""
-    pairs = outline_walk.outline_pairs(*seen)
+    pairs, _ = outline_walk.outline_pairs(*seen)
     found = np.column_stack(pairs[:3])
     return found[np.lexsort((pairs.other, pairs.owner))]
 

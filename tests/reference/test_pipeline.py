@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import interpolation, mipmapping, outlines, pipeline, rasterization, transforms
+from reference import interpolation, mipmapping, pipeline, rasterization, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -52,12 +52,10 @@ def scene(name):
     return shape, Colours(colours), View(clip_from_model, WIDTH, HEIGHT, background)
 
 
-def decided(buffers, shape):
+def decided(buffers):
     """What a picture decides: faces, pairs, edges, which pixel changes, what is saturated."""
-    clip, face_index, depth, *_ = buffers
-    owner, other, c, ends, *_ = outlines.blended_pairs(face_index, depth, clip, shape.faces,
-                                                       shape.opposite)
-    return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
+    owner, other, c, ends, _, _, *faces = buffers.pairs
+    return buffers.face_index, owner, other, ends, *faces, c > 0.5, (c > 0) & (c < 1)
 
 
 def few(arrays, rows):
@@ -118,7 +116,7 @@ def test_the_gradients_of_a_picture_are_central_differences(name):
     behind = vertices[clip[vertices, 3] < 0]
     assert (len(behind) > 0) == (name == "vertices behind the camera")
     some = np.unique(np.append(vertices[::len(vertices) // 4][:4], behind[:1]))
-    whole_gradcheck(name, render, backward, lambda buffers, *_: decided(buffers, shape), arrays,
+    whole_gradcheck(name, render, backward, lambda buffers, *_: decided(buffers), arrays,
                     [some, some])
 
 
@@ -148,7 +146,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter_mode
         level = np.where("mipmap" in filter_mode, mipmapping.mip_level(footprint, 8, 16), 0)
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
-        return *decided(buffers, shape), level, *texels
+        return *decided(buffers), level, *texels
 
     whole_gradcheck(f"textured, {filter_mode}", render, backward, decisions,
                     (shape.positions, uv, image, view.clip_from_model),
