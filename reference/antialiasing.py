@@ -162,6 +162,14 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.10
     return slope * y1, slope * (c - x1), -slope * y0, slope * (x0 - c)
 
 
+def brought(pairs, clip, shape):
+    """Pairs where clip (V, 4) now brings their ends: which edges they are, is decided."""
+    height, width = shape
+    x, y, _ = screen_points(clip, width, height)
+    x, y = pair_frame(x[pairs.ends], y[pairs.ends], pairs.owner, pairs.other, width)
+    return Pairs(*pairs)._replace(c=crossing(x[0], y[0], x[1], y[1]), x=x, y=y)
+
+
 def last_crossing(x, y, w):  # step 8.5
     """By which edge does the line y = 0 leave a face, on the way from owner to other?
 

@@ -14,14 +14,7 @@ where l_k are the weights of a face's corners at c. This line is an edge that th
 """
 import numpy as np
 
-from .antialiasing import (
-    Pairs,
-    blend_pairs_backward,
-    crossing,
-    pair_frame,
-    pair_step,
-    screen_backward,
-)
+from .antialiasing import Pairs, blend_pairs_backward, brought, pair_step, screen_backward
 from .outline_walk import both_pairs, enter_faces
 from .outlines import leave_faces, some, steep_pairs
 from .rasterization import screen_points
@@ -66,38 +59,29 @@ def followed(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
     face and edge are the faces at the owner's centre. The walk that is behind takes the next step.
     """
-    width, pair = shape[1], met[:2]
-    screen = screen_points(clip, width, shape[0])
-    walks = [Pairs(*map(np.array, leave_faces(*pair, face, screen, faces, width)))
-             for face in met[6:]]
+    width, go, is_met = shape[1], np.arange(len(met.c)), np.zeros(len(met.c), bool)
+    mesh = screen_points(clip, width, shape[0]), faces, width
+    walks = [Pairs(*map(np.array, leave_faces(*met[:2], face, *mesh))) for face in met[6:]]
     met = met._replace(face=walks[0].face, edge=walks[1].face)
-    is_met, reached = np.zeros((2, len(met.c)))
-    go = np.arange(len(met.c))
     for _ in range(2 * len(faces)):  # no walk is longer
         if len(go) == 0:
             break
         c = np.stack([walk.c[go] for walk in walks])
-        last = c.min(0).clip(max=1)
         d_0, d_x, _ = gap(some(met, go), clip, faces, shape)
-        is_met[go] = d_0 + last * d_x >= 0
-        goes_on = (is_met[go] == 0) & (last < 1) & (last >= reached[go])
-        reached[go], is_behind = last, c.argmin(0)
+        is_met[go] = d_0 + c.min(0).clip(0, 1) * d_x >= 0
+        goes_on = ~is_met[go] & (c.min(0) < 1)
         for k, walk in enumerate(walks):
-            n = go[goes_on & (is_behind == k)]
-            across = opposite[walk.face[n], walk.edge[n]]
-            step = enter_faces(met.owner[n], met.other[n], across, screen, faces, width)
-            for values, new in zip(walk, step, strict=True):
-                values[..., n] = new
+            step_over(walk, go[goes_on & (c.argmin(0) == k)], mesh, opposite)
         go = go[goes_on]
-    return some(met, is_met > 0)
+    return some(met, is_met)
 
 
-def brought(pairs, clip, shape):
-    """Pairs where clip (V, 4) now brings their ends: which edges they are, is decided."""
-    height, width = shape
-    x, y, _ = screen_points(clip, width, height)
-    x, y = pair_frame(x[pairs.ends], y[pairs.ends], pairs.owner, pairs.other, width)
-    return Pairs(*pairs)._replace(c=crossing(x[0], y[0], x[1], y[1]), x=x, y=y)
+def step_over(walk, n, mesh, opposite):
+    """The walks n of Pairs take a step."""
+    across = opposite[walk.face[n], walk.edge[n]]
+    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
+    for values, new in zip(walk, step, strict=True):
+        values[..., n] = new
 
 
 def meetings(pairs, clip):
@@ -117,7 +101,7 @@ def planes(met, x, y, clip, faces, shape):
     corners = np.moveaxis(faces[np.stack([met.face, met.edge])], -1, 0)
     screen = screen_points(clip[corners.ravel()], width, height)
     screen_x, screen_y, w = (values.reshape(corners.shape) for values in screen)
-    place_x, place_y = on_screen(met, x, y, width)
+    place_x, place_y = out_of_frame(met, x, y, width)
     screen_x, screen_y = screen_x - place_x, screen_y - place_y
     z, minus = clip[:, 2][corners] / w, -np.ones(corners.shape)
     e = cross(screen_x, screen_y)  # edge functions, which change with the place by e_x and e_y
@@ -134,7 +118,7 @@ def gap(met, clip, faces, shape):
     return depth - other, dx * along_x + dy * along_y, np.abs(dy) * along_x + np.abs(dx) * along_y
 
 
-def on_screen(met, x, y, width):
+def out_of_frame(met, x, y, width):
     """Backward of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
     dx, dy = pair_step(met.owner, met.other, width)
     row, column = np.divmod(met.owner, width)
@@ -148,7 +132,7 @@ def points(pairs, shape, clip, faces):
         return clip
     d_0, d_x, d_y = gap(met, clip, faces, shape)
     y = np.array([[-0.5], [0.5]])
-    x, y = on_screen(met, -(d_0 + d_y * y) / d_x, y, width)
+    x, y = out_of_frame(met, -(d_0 + d_y * y) / d_x, y, width)
     ends = np.zeros((2 * len(met.c), 4))
     ends[met.ends - len(clip)] = np.stack(
         [2 * x / width - 1, 2 * y / height - 1, 0 * x, 0 * x + 1], -1)

@@ -164,10 +164,9 @@ def keep_outlines(screen, surface, pairs, begin, end, through, met):
     -> the ends of both.
     """
     points, faces, opposite = surface
-    face_index, owners, others = screen.face_index, pairs.owner, pairs.other
-    kept, width = begin, screen.width
+    face_index, width, kept = screen.face_index, screen.width, begin
     for n in range(begin, end):
-        owner, other, is_back = owners[n], others[n], False
+        owner, other, is_back = pairs.owner[n], pairs.other[n], False
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
         for _ in range(2 * len(faces)):
@@ -176,11 +175,8 @@ def keep_outlines(screen, surface, pairs, begin, end, through, met):
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
-            elif at.c < 1 or face_index[other] < 0:
-                break
-            elif is_back:
-                through[0, met], through[1, met], through[2, met] = owner, other, at.face
-                met += 1
+            elif at.c < 1 or is_back or face_index[other] < 0:
+                met += is_back and put_through(through, met, owner, other, at)
                 break
             else:
                 owner, other, is_back = other, owner, True
@@ -201,6 +197,13 @@ def put(pairs, n, owner, other, at, surface, frame):
         pairs.ends[k, n], pairs.x[k, n], pairs.y[k, n] = vertex, end.x, end.y
     is_steep = abs(pairs.y[1, n] - pairs.y[0, n]) >= abs(pairs.x[1, n] - pairs.x[0, n])
     return at.c > -WINDOW and is_steep and not (at.c == 0.5 and owner < other)
+
+
+@kernel
+def put_through(through, n, owner, other, at):
+    """Write the n-th second walk that passes the other's centre, at a Crossing -> does it?"""
+    through[0, n], through[1, n], through[2, n] = owner, other, at.face
+    return at.c >= 1
 
 
 @kernel

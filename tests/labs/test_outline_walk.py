@@ -4,7 +4,7 @@ import numpy as np
 from edges_in_space import AROUND, CORNERS, EDGES, LEFT, as_pairs, in_space, pairs_around, soup
 
 from course.scenes.relaxation import split_in_four
-from labkit.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise
 
 # --- one step ------------------------------------------------------------------------------------
 
@@ -257,18 +257,11 @@ def outlines_of(impl, *scene):
 
 
 def both_of(impl, *scene):
-    """owner, other, c of both Pairs of `outline_pairs`, sorted. Mismatch: they are not two."""
-    returned = impl.outline_pairs(*scene)
-    if not isinstance(returned, tuple) or len(returned) != 2:
-        raise Mismatch(("wrong", "outline_pairs must return two Pairs: those with an outline, and "
-                                 "the others, whose surfaces pass through each other"))
-    return [in_order(as_pairs(impl, pairs)) for pairs in returned]
-
-
-def in_order(pairs):
-    """owner, other, c of Pairs, sorted."""
-    order = np.lexsort((pairs.other, pairs.owner))
-    return tuple(field[order] for field in pairs[:3])
+    """owner, other, c of both Pairs of `outline_pairs`, sorted."""
+    both = [as_pairs(impl, pairs) for pairs in impl.outline_pairs(*scene)]
+    orders = [np.lexsort((pairs.other, pairs.owner)) for pairs in both]
+    return [tuple(field[order] for field in pairs[:3])
+            for pairs, order in zip(both, orders, strict=True)]
 
 
 def ndc(x, y, z, size):
