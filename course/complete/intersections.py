@@ -18,7 +18,6 @@ from .antialiasing import Pairs, blend_pairs_backward, brought, pair_step, scree
 from .outline_walk import both_pairs, enter_faces
 from .outlines import leave_faces, some, steep_pairs
 from .rasterization import screen_points
-from .rasterizer_gradients import cross
 
 
 def all_pairs(face_index, depth, clip, faces, opposite):
@@ -104,8 +103,8 @@ def planes(met, x, y, clip, faces, shape):
     place_x, place_y = out_of_frame(met, x, y, width)
     screen_x, screen_y = screen_x - place_x, screen_y - place_y
     z, minus = clip[:, 2][corners] / w, -np.ones(corners.shape)
-    e = cross(screen_x, screen_y)  # edge functions, which change with the place by e_x and e_y
-    e_x, e_y = cross(minus, screen_y), cross(screen_x, minus)
+    e = np.cross(screen_x, screen_y, axis=0)  # edge functions. By e_x, e_y they change with place
+    e_x, e_y = np.cross(minus, screen_y, axis=0), np.cross(screen_x, minus, axis=0)
     area, slope = e.sum(0), np.stack([(e_x * z).sum(0), (e_y * z).sum(0)])
     return corners, (e * z).sum(0) / area, e / area, slope / area
 
