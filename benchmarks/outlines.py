@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
 from course.given import mesh
 from labkit import places
-from reference import antialiasing, interpolation, outline_walk, outlines, pipeline, transforms
+from reference import interpolation, intersections, outline_walk, outlines, pipeline, transforms
 
 EXACT = 2048             # pixels on a side of the pictures whose differences count as exact
 STEP = 0.01              # of these differences
@@ -76,13 +76,13 @@ def gradients(scene, peers):
     seen = pipeline.shade(seen, faces, colours, np.zeros(3))
     edges = seen.face_index, seen.depth, clip, faces, opposite
     for method, pairs in ("nvdiffrast's rule", outlines.blended_pairs(*edges)), (
-            "walk", outline_walk.walked_pairs(*edges)):
-        grad_colour, through_edges = antialiasing.blend_pairs_backward(
-            gradient, seen.colour, pairs, clip)
+            "walk", intersections.all_pairs(*edges)):
+        grad_colour, through_edges = intersections.all_pairs_backward(
+            gradient, seen.colour, pairs, clip, faces)
         yield method, through_edges + pipeline.interior_backward(grad_colour, seen, faces,
                                                                  colours)[1]
     pull = outline_walk.outline_pull_backward(gradient, seen.colour,
-                                              outline_walk.outline_pairs(*edges), clip)
+                                              outline_walk.outline_pairs(*edges)[0], clip)
     yield "pull", pull + pipeline.interior_backward(gradient, seen, faces, colours)[1]
     for name, peer in peers.items():
         yield name, peer(scene)["both ways"]()[1]

@@ -127,6 +127,14 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.10
     raise NotImplementedError("exercise 8.10: crossing_backward")
 
 
+def brought(pairs, clip, shape):
+    """Pairs where clip (V, 4) now brings their ends: which edges they are, is decided."""
+    height, width = shape
+    x, y, _ = screen_points(clip, width, height)
+    x, y = pair_frame(x[pairs.ends], y[pairs.ends], pairs.owner, pairs.other, width)
+    return Pairs(*pairs)._replace(c=crossing(x[0], y[0], x[1], y[1]), x=x, y=y)
+
+
 def last_crossing(x, y, w):  # step 8.5
     """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
@@ -163,15 +171,21 @@ def blend_pairs(colour, pairs):  # exercise 8.9 (2 points)
 
 
 def ends_backward(grad_x, grad_y, ends, clip, width, height):
-    """From edges' ends on screen to clip space: grad_x, grad_y, ends (2, N) -> grad_clip (V, 4).
+    """From edges' ends on screen to clip space: grad_x, grad_y, ends (2, N) -> grad_clip (V, 4)."""
+    return screen_backward(np.stack([grad_x, grad_y, np.zeros(ends.shape)], -1), ends, clip, width,
+                           height)
 
-    A vertex sums the gradients of all edges that end there. Only such vertices go back to clip
-    space, by lab 1's viewport and divide, with the w of `screen_points`.
+
+def screen_backward(grad_screen, vertices, clip, width, height):
+    """From vertices' x, y and depth on screen to clip space: grad_screen (K, N, 3), vertices (K, N)
+    -> grad_clip (V, 4). A vertex sums all that is said of it.
+
+    Only such vertices go back to clip space, by lab 1's viewport and divide, with the w of
+    `screen_points`.
     """
-    vertex, end = np.unique(ends, return_inverse=True)
-    grads = scatter(np.stack([grad_x, grad_y], -1), end.reshape(ends.shape), len(vertex))
+    vertex, place = np.unique(vertices, return_inverse=True)
+    grad_screen = scatter(grad_screen, place.reshape(vertices.shape), len(vertex))
     *_, w = screen_points(clip[vertex], width, height)  # the one that the forward divides by
-    grad_screen = np.column_stack([grads, np.zeros(len(vertex))])
     at = np.column_stack([clip[vertex, :3], w])
     grad_clip = np.zeros(clip.shape)
     grad_clip[vertex] = transforms.to_screen_backward(grad_screen, at, width, height)

@@ -72,27 +72,34 @@ def is_outline(pairs, silhouette):
 
 
 def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3 points)
-    """The pairs of neighbours with an outline between their centres -> Pairs
+    """The pairs of neighbours with an outline between their centres -> Pairs, and others -> Pairs
 
     First the owner's surface walks, and the given `is_outline` says where it found one. If it
     passes the other's centre (c >= 1) without one, and that pixel sees a face, this walks from
-    there: owner and other change places. face_index, depth (H, W), clip (V, 4), faces, opposite
-    (F, 3). `all_silhouettes` is given.
+    there: owner and other change places. If it passes the other's centre, too, the two surfaces
+    pass through each other: these second walks are the others. face_index, depth (H, W),
+    clip (V, 4), faces, opposite (F, 3). `all_silhouettes` is given.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])
-    >>> pairs = outline_pairs(*picture, clip, np.array([[0, 1, 2]]), np.full((1, 3), -1))
-    >>> pairs.owner, pairs.other, pairs.c
-    (array([1]), array([2]), array([0.25]))
+    >>> pairs, others = outline_pairs(*picture, clip, np.array([[0, 1, 2]]), np.full((1, 3), -1))
+    >>> pairs.owner, pairs.other, pairs.c, others.c
+    (array([1]), array([2]), array([0.25]), array([], dtype=float64))
     """
     raise NotImplementedError("exercise 8.14: outline_pairs")
 
 
-def walked_pairs(face_index, depth, clip, faces, opposite):
-    """The pairs that are blended: those with a steep outline -> Pairs"""
+def both_pairs(face_index, depth, clip, faces, opposite):
+    """What `outline_pairs` finds, as Pairs of arrays, whatever tuples or lists it returns."""
     with np.errstate(all="ignore"):  # of vertices that no seen face has
-        pairs = outline_pairs(face_index, depth, clip, faces, opposite)
-    return steep_pairs(Pairs(*pairs))
+        found = outline_pairs(face_index, depth, clip, faces, opposite)
+    kinds = np.intp, np.intp, float, np.intp, float, float, np.intp, np.intp
+    return [Pairs(*map(np.asarray, pairs, kinds)) for pairs in found]
+
+
+def walked_pairs(face_index, depth, clip, faces, opposite):
+    """The pairs with a steep outline -> Pairs"""
+    return steep_pairs(both_pairs(face_index, depth, clip, faces, opposite)[0])
 
 
 def outline_pull_backward(grad_picture, colour, pairs, clip):  # extra 8.15 (3 points)

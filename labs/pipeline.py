@@ -25,8 +25,8 @@ from course.given.compiled import has_kernels
 from . import (
     antialiasing,
     interpolation,
+    intersections,
     mipmapping,
-    outline_walk,
     outlines,
     rasterization,
     rasterizer_gradients,
@@ -137,8 +137,8 @@ def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
     """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
-    `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of lab
-    8's `outline_walk.walked_pairs`, of which `antialiasing.blend_pairs` makes the picture. See
+    `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of the
+    given `intersections.all_pairs`, of which `antialiasing.blend_pairs` makes the picture. See
     `demo bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
@@ -155,9 +155,9 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 poi
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
-    `blend_pairs_backward` of lab 8, then `shade_backward`, then lab 7's `rasterize_backward`, which
-    takes grad_depth. The first and the last give a grad_clip: add them. buffers, such as
-    buffers.clip, are those of `draw`.
+    The given `intersections.all_pairs_backward`, then `shade_backward`, then lab 7's
+    `rasterize_backward`, which takes grad_depth. The first and the last give a grad_clip: add them.
+    buffers, such as buffers.clip, are those of `draw`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))

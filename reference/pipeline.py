@@ -25,8 +25,8 @@ from course.given.compiled import has_kernels
 from . import (
     antialiasing,
     interpolation,
+    intersections,
     mipmapping,
-    outline_walk,
     outlines,
     rasterization,
     rasterizer_gradients,
@@ -137,8 +137,8 @@ def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
     """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
-    `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of lab
-    8's `outline_walk.walked_pairs`, of which `antialiasing.blend_pairs` makes the picture. See
+    `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of the
+    given `intersections.all_pairs`, of which `antialiasing.blend_pairs` makes the picture. See
     `demo bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
@@ -151,7 +151,7 @@ def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
     barycentric = interpolation.barycentrics(face_index, clip, faces)                      # lab 5
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)                                # labs 5, 6
-    pairs = outline_walk.walked_pairs(face_index, depth, clip, faces, opposite)          # lab 8
+    pairs = intersections.all_pairs(face_index, depth, clip, faces, opposite)            # lab 8
     return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
@@ -160,9 +160,9 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 poi
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
-    `blend_pairs_backward` of lab 8, then `shade_backward`, then lab 7's `rasterize_backward`, which
-    takes grad_depth. The first and the last give a grad_clip: add them. buffers, such as
-    buffers.clip, are those of `draw`.
+    The given `intersections.all_pairs_backward`, then `shade_backward`, then lab 7's
+    `rasterize_backward`, which takes grad_depth. The first and the last give a grad_clip: add them.
+    buffers, such as buffers.clip, are those of `draw`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))
@@ -173,8 +173,8 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 poi
     (np.float64(1.75), array([1., 1., 0.]))
     """
     # What is decided, the face of each pixel and the blended edges, is taken as given.
-    grad_colour, through_edges = antialiasing.blend_pairs_backward(                       # lab 8
-        grad_picture, buffers.colour, buffers.pairs, buffers.clip)
+    grad_colour, through_edges = intersections.all_pairs_backward(                        # lab 8
+        grad_picture, buffers.colour, buffers.pairs, buffers.clip, faces)
     grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)  # 6, 5
     through_colours = rasterizer_gradients.rasterize_backward(                            # lab 7
         *grad_weights, grad_depth, buffers.face_index, buffers.clip, faces)

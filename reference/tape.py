@@ -25,9 +25,9 @@ from course.given.arrays import masked_scatter
 from . import (
     antialiasing,
     interpolation,
+    intersections,
     inverse_rendering,
     mipmapping,
-    outline_walk,
     pipeline,
     rasterization,
     rasterizer_gradients,
@@ -249,7 +249,7 @@ def render(mesh, material, view):
     """`pipeline.render` on a tape -> the picture (H, W, C), a Var.
 
     Any array of floats in mesh, material and view may be a Var. What decides, `rasterize` and
-    `walked_pairs`, is no step: it gets values, and what it returns is given.
+    `all_pairs`, is no step: it gets values, and what it returns is given.
     """
     clip = on_tape("transform", on_tape("to_homogeneous", mesh.positions), view.clip_from_model)
     face_index, depth = rasterization.rasterize(value_of(clip), mesh.faces, view.width, view.height)
@@ -265,8 +265,9 @@ def render(mesh, material, view):
     else:
         colour = on_tape("interpolate", material.colours, mesh.faces, face_index, weights)
     colour = on_tape("add", colour, view.background * ~seen[..., None])
-    pairs = outline_walk.walked_pairs(face_index, depth, value_of(clip), mesh.faces, mesh.opposite)
-    return on_tape("blend_pairs", colour, pairs, clip)
+    pairs = intersections.all_pairs(face_index, depth, value_of(clip), mesh.faces, mesh.opposite)
+    points = on_tape("points", pairs, face_index.shape, clip, mesh.faces)
+    return on_tape("blend_pairs", colour, pairs, points)
 
 
 def render_and_back(mesh, material, view, grad_picture):
@@ -285,23 +286,15 @@ def render_and_back(mesh, material, view, grad_picture):
     return picture.value, pipeline.Gradients(grad_positions, grad_material, grad_matrix)
 
 
-def brought(pairs, clip, colour):
-    """Lab 8's Pairs where clip (V, 4) now brings their ends: which edges they are, is decided."""
-    height, width, _ = colour.shape
-    x, y, _ = rasterization.screen_points(clip, width, height)
-    x, y = antialiasing.pair_frame(x[pairs.ends], y[pairs.ends], pairs.owner, pairs.other, width)
-    c = antialiasing.crossing(x[0], y[0], x[1], y[1])
-    return antialiasing.Pairs(*pairs)._replace(c=c, x=x, y=y)
+def blend(colour, pairs, points):
+    """`blend_pairs` as a function of the points, too."""
+    return antialiasing.blend_pairs(colour, antialiasing.brought(pairs, points, colour.shape[:2]))
 
 
-def blend(colour, pairs, clip):
-    """`blend_pairs` as a function of clip, too."""
-    return antialiasing.blend_pairs(colour, brought(pairs, clip, colour))
-
-
-def blend_backward(grad, colour, pairs, clip):
-    """Backward of `blend`: grad (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4)."""
-    return antialiasing.blend_pairs_backward(grad, colour, brought(pairs, clip, colour), clip)
+def blend_backward(grad, colour, pairs, points):
+    """Backward of `blend`: grad (H, W, C) -> grad_colour (H, W, C), grad_points (V, 4)."""
+    return antialiasing.blend_pairs_backward(
+        grad, colour, antialiasing.brought(pairs, points, colour.shape[:2]), points)
 
 
 AXES = np.stack([inverse_rendering.cross_matrix(axis) for axis in np.eye(3)])
@@ -327,6 +320,7 @@ BY_NAME = {
         interpolation.interpolate_derivatives,
         interpolation.interpolate_derivatives_backward, (0, 3)),
     "texture": Pair(mipmapping.texture, mipmapping.texture_backward, (0, 1, 2)),
+    "points": Pair(intersections.points, intersections.points_backward, (2,)),
     "blend_pairs": Pair(blend, blend_backward, (0, 2)),
     "squared_error": Pair(
         lambda picture, target: inverse_rendering.squared_error(picture, target)[0],

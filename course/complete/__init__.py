@@ -3,6 +3,7 @@
 `from reference import diagnosis` loads one from here, as does `from labs import diagnosis`. What it
 imports in turn is of the package that asked: a diagnosis of your labs asks your lab 8.
 
+    intersections            lab 8: where surfaces pass through each other
     diagnosis                lab 8: why a pixel or a vertex has no gradient
     soft_rasterizer          lab 10: SoftRas's silhouettes
     lights                   lab 14: where a shadow map's light stands

@@ -3,17 +3,18 @@
 Lab 8 blends a pair of pixels only if it passes every test below, in this order. The number of the
 first test that a pair fails, from 3 to 5, is its reason. Its gradient is not zero only at 6.
 
-    3   a walk between its centres finds an outline
-    4   this outline is steep
+    3   a walk between its centres finds an outline, or the surfaces meet there
+    4   this line is steep
     5   alpha is neither saturated nor, in a pair that is dropped, 0
 
 0 to 2 are for pixels and vertices that have no pair, and for vertices behind the camera. All
-parameters are those of `walked_pairs`.
+parameters are those of `all_pairs`.
 """
 import numpy as np
 
 from .antialiasing import blend_pairs
-from .outline_walk import outline_pairs, walked_pairs
+from .intersections import all_pairs, meetings, planes
+from .outline_walk import both_pairs
 from .outlines import is_dropped, neighbours
 
 ROUNDING = 1e-9  # of a colour: more than this beyond the range is not rounding
@@ -34,24 +35,27 @@ def reasons(pairs):
 def why_zero(face_index, depth, clip, faces, opposite):
     """Why has a pixel, or a vertex, no position gradient? -> pixel (H, W), vertex (V,), integers.
 
-    They number REASONS: how far the best pair of a pixel got, or the best pair with an outline that
-    ends at a vertex. "not seen": the pixel sees no face, or no face of the vertex is seen, and none
-    is an outline. "no pair": all neighbours see the same face. "the surface goes on": they see
-    another one, without an outline between them. A vertex behind the camera without a gradient is
-    called so. Neither colours nor the loss are looked at: equal colours, or a loss that does not
-    depend on them, give 0 at the last reason.
+    They number REASONS: how far the best pair of a pixel got, or the best pair whose edge moves
+    with a vertex. "not seen": the pixel sees no face, or no face of the vertex is seen, and none is
+    an outline. "no pair": all neighbours see the same face. "the surface goes on": they see another
+    one, but no outline is between them, nor do surfaces meet there. A vertex behind the camera
+    without a gradient is called so. Neither colours nor the loss are looked at: equal colours, or a
+    loss that does not depend on them, give 0 at the last reason.
     """
     owner, other = neighbours(face_index, depth)
-    pairs = outline_pairs(face_index, depth, clip, faces, opposite)
+    outlines, _ = both_pairs(face_index, depth, clip, faces, opposite)
     is_seen = face_index >= 0
     pixel = np.where(is_seen, NO_PAIR, NOT_SEEN).ravel()
     pixel[owner], pixel[other] = GOES_ON, GOES_ON
     vertex = np.full(len(clip), NOT_SEEN)
     vertex[faces[face_index[is_seen]]] = NO_PAIR
     vertex[faces[face_index.ravel()[owner]]] = GOES_ON
-    for place, at in zip((pixel, pixel, vertex, vertex), (pairs.owner, pairs.other, *pairs.ends),
-                         strict=True):
-        np.maximum.at(place, at, reasons(pairs))
+    met = meetings(all_pairs(face_index, depth, clip, faces, opposite), clip)
+    corners, *_ = planes(met, 0.0, 0.0, clip, faces, face_index.shape)
+    for pairs, vertices in (outlines, outlines.ends), (met, corners.reshape(6, -1)):
+        for place, at in (pixel, pairs.owner), (pixel, pairs.other), *(
+                (vertex, some) for some in vertices):
+            np.maximum.at(place, at, reasons(pairs))
     vertex[(clip[:, 3] < 0) & (vertex < HAS_GRADIENT)] = BEHIND_THE_CAMERA
     return pixel.reshape(face_index.shape), vertex
 
@@ -62,7 +66,7 @@ def overblended(colour, face_index, depth, clip, faces, opposite):
     Each of up to four pairs moves a pixel up to half of the way to its other colour, and together
     they can go too far. True where a channel lies outside of all colours that were blended there.
     """
-    pairs = walked_pairs(face_index, depth, clip, faces, opposite)
+    pairs = all_pairs(face_index, depth, clip, faces, opposite)
     changed = np.where(pairs.c < 0.5, pairs.owner, pairs.other)
     source = np.where(pairs.c < 0.5, pairs.other, pairs.owner)
     pixels = np.reshape(colour, (-1, colour.shape[-1]))

@@ -20,6 +20,7 @@ from course.given.compiled import each_band
 from . import (
     face_kernels,
     footprint_kernels,
+    intersections,
     outlines,
     pair_kernels,
     pipeline,
@@ -159,20 +160,25 @@ def coloured(face_index, points, faces, colours, background):
     return weights.reshape(3, height, width).transpose(1, 2, 0), colour
 
 
-def walked_pairs(face_index, depth, points, faces, opposite):
-    """`outline_walk.walked_pairs`, from the points of `screen_vertices`."""
+def all_pairs(face_index, depth, clip, points, faces, opposite):
+    """`intersections.all_pairs`, with the points of `screen_vertices`."""
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
     surface = pair_kernels.Surface(points, faces, opposite)
 
     def band(*rows):
-        pairs = room_for_pairs(2 * (rows[1] - rows[0]) * width)
-        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs)
-        return outlines.Pairs(*(part[..., :count].copy() for part in pairs)), beside
+        room = 2 * (rows[1] - rows[0]) * width
+        pairs, through = room_for_pairs(room), np.empty((3, room), np.intp)
+        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs, through)
+        found = *(part[..., :count[0]].copy() for part in pairs), through[:, :count[1]].copy()
+        return found, [beside[0]] * len(pairs) + [beside[1]]
 
-    found = list(in_bands(band, width, height))
-    return outlines.Pairs(*(in_order(parts, [beside for _, beside in found])
-                            for parts in zip(*(pairs for pairs, _ in found), strict=True)))
+    found, beside = zip(*in_bands(band, width, height), strict=True)
+    *pairs, (owner, other, face) = map(in_order, zip(*found, strict=True),
+                                       zip(*beside, strict=True))
+    through = outlines.Pairs(owner, other, *[None] * 4, face, None)
+    return intersections.with_meetings(outlines.Pairs(*pairs), through, face_index, clip, faces,
+                                       opposite)
 
 
 def room_for_pairs(count):
@@ -212,7 +218,7 @@ def draw(clip, faces, opposite, material, width, height, background):
         barycentric, colour = coloured(face_index, points, faces,
                                        np.ascontiguousarray(material.colours, float),
                                        tuple(map(float, background)))
-    pairs = walked_pairs(face_index, depth, points, faces, np.asarray(opposite, np.intp))
+    pairs = all_pairs(face_index, depth, clip, points, faces, np.asarray(opposite, np.intp))
     picture = colour.copy()
     pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
     return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
@@ -260,7 +266,7 @@ def looked_up(clip, face_index, material, faces):
 def through_texture(grad_picture, buffers, faces, material):
     """The way back through a texture, and through the blended pairs."""
     grad_edges = np.zeros(buffers.clip.shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad_edges)
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grad_edges)
     grad_colour = grad_picture.copy()
     channels = grad_picture.shape[2]
     np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
@@ -269,19 +275,22 @@ def through_texture(grad_picture, buffers, faces, material):
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, grad_clip):
+def pairs_backward(grad_picture, buffers, faces, grad_clip):
     """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
     colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
     """
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
-    grad_pixels = np.empty((len(pairs.c), 2, channels))
+    where = pairs, (height, width), buffers.clip, faces
+    points = intersections.points(*where)
+    grad_points, grad_pixels = np.zeros(points.shape), np.empty((len(pairs.c), 2, channels))
     are_there = pair_kernels.blend_backward(
-        grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), buffers.clip,
-        (width, height), grad_clip, grad_pixels)
+        grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), points,
+        (width, height), grad_points, grad_pixels)
     if not are_there:
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")
+    grad_clip += intersections.points_backward(grad_points, *where)
     pixels = np.stack([pairs.owner[:len(pairs.c)], pairs.other[:len(pairs.c)]], -1)
     return pixels.ravel(), grad_pixels.ravel()
 
@@ -290,7 +299,7 @@ def through_colours(grad_picture, buffers, faces, material):
     """The way back through colours of the vertices, and through the blended pairs."""
     shape = pixel_kernels.Shape(buffers.clip, faces, np.ascontiguousarray(material.colours, float))
     grads = through_pixels(grad_picture, buffers.face_index, shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grads[0])
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grads[0])
     channels = grad_picture.shape[2]
     records = room_for(len(pixels), channels)
     count = pixel_kernels.gradient_pixels(grad_pixels, pixels, grid_of(buffers.face_index), shape,

@@ -158,14 +158,15 @@ def neighbours(axis, screen, rows, pairs, n):
 
 
 @kernel
-def keep_outlines(screen, surface, pairs, begin, end):
-    """Of the pairs begin <= n < end, those that are blended are written from begin on -> their end.
+def keep_outlines(screen, surface, pairs, begin, end, through, met):
+    """Of the pairs begin <= n < end, those that are blended are written from begin on. owner, other
+    and face of second walks that pass the other's centre are written to through, from met on
+    -> the ends of both.
     """
     points, faces, opposite = surface
-    face_index, owners, others = screen.face_index, pairs.owner, pairs.other
-    kept, width = begin, screen.width
+    face_index, width, kept = screen.face_index, screen.width, begin
     for n in range(begin, end):
-        owner, other, is_back = owners[n], others[n], False
+        owner, other, is_back = pairs.owner[n], pairs.other[n], False
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
         for _ in range(2 * len(faces)):
@@ -175,12 +176,13 @@ def keep_outlines(screen, surface, pairs, begin, end):
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
             elif at.c < 1 or is_back or face_index[other] < 0:
+                met += is_back and put_through(through, met, owner, other, at)
                 break
             else:
                 owner, other, is_back = other, owner, True
                 frame = frame_of(owner, other, width)
                 at = leave(points, faces, np.intp(face_index[owner]), frame)
-    return kept
+    return kept, met
 
 
 @kernel
@@ -198,13 +200,21 @@ def put(pairs, n, owner, other, at, surface, frame):
 
 
 @kernel
-def find_pairs(screen, surface, rows, pairs):
+def put_through(through, n, owner, other, at):
+    """Write the n-th second walk that passes the other's centre, at a Crossing -> does it?"""
+    through[0, n], through[1, n], through[2, n] = owner, other, at.face
+    return at.c >= 1
+
+
+@kernel
+def find_pairs(screen, surface, rows, pairs, through):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
-    those with the one above -> how many there are of the first, and in all.
+    those with the one above -> how many there are of the first, and in all; and of `through`.
     """
-    beside = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0))
-    return beside, keep_outlines(screen, surface, pairs, beside,
-                                 neighbours(1, screen, rows, pairs, beside))
+    beside, met = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0),
+                                through, 0)
+    end = neighbours(1, screen, rows, pairs, beside)
+    return (beside, met), keep_outlines(screen, surface, pairs, beside, end, through, met)
 
 
 @kernel

@@ -78,7 +78,7 @@ ONCE = [topic for topic in exercises.topics() if topic not in exercises.lab_topi
 
 
 @pytest.mark.parametrize(("labs", "given", "complete", "lectures"), [
-    ("1-4", (), (), range(5)), ("8", BEFORE_8, ("diagnosis",), (0, 8)),
+    ("1-4", (), (), range(5)), ("8", BEFORE_8, ("diagnosis", "intersections"), (0, 8)),
     (None, (), ONCE, range(18))])
 def test_labs_what_they_need_their_checks_and_lectures_are_there(
         labs, given, complete, lectures, tmp_path, capsys):

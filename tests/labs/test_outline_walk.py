@@ -253,9 +253,15 @@ def test_a_walk_that_no_edge_begins_is_over(impl):
 
 def outlines_of(impl, *scene):
     """owner, other, c of `outline_pairs`, sorted."""
-    pairs = as_pairs(impl, impl.outline_pairs(*scene))
-    order = np.lexsort((pairs.other, pairs.owner))
-    return tuple(field[order] for field in pairs[:3])
+    return both_of(impl, *scene)[0]
+
+
+def both_of(impl, *scene):
+    """owner, other, c of both Pairs of `outline_pairs`, sorted."""
+    both = [as_pairs(impl, pairs) for pairs in impl.outline_pairs(*scene)]
+    orders = [np.lexsort((pairs.other, pairs.owner)) for pairs in both]
+    return [tuple(field[order] for field in pairs[:3])
+            for pairs, order in zip(both, orders, strict=True)]
 
 
 def ndc(x, y, z, size):
@@ -317,6 +323,30 @@ def test_what_hides_the_owner_s_surface_walks_in_its_place(impl):
     wall = ndc([1.25, 9, 1.25], [-9, 0.5, 9], [0, 0, 0], (2, 1))
     clip = np.concatenate([slope * [1, 1, 0.1, 1], wall])
     assert_close(beside(impl, clip, [[0, 1, 2], [3, 4, 5]]), ([1], [0], [0.25]))
+
+
+@exercise("8.14")
+def test_surfaces_that_pass_through_each_other_are_the_others(impl):
+    """Nobody says that both surfaces pass the other's centre, or only the first walk is told: the
+    second one begins where the deeper face is seen."""
+    x, y = [-9, 9, 9], [0.5, -9, 9]
+    clip = np.concatenate([ndc(x, y, np.array(x) * 0.1 - 0.1, (2, 1)),
+                           ndc(x, y, 0.08 - np.array(x) * 0.08, (2, 1))])
+    faces = np.array([[0, 1, 2], [3, 4, 5]])
+    outlines, others = both_of(impl, *seen(clip, faces, (2, 1)), clip, faces, opposite_of(faces))
+    assert_equal((outlines[0].shape, others[:2]), ((0,), ([1], [0])))
+
+
+@exercise("8.14")
+def test_where_surfaces_do_not_pass_through_each_other_there_are_no_others(impl):
+    """Each pair without an outline is one of the others, or one with an outline. Or the surface
+    goes on where no face is seen, as it lies beyond the greatest depth there."""
+    clip = ndc([-9, 1.0, 1.0, 9], [0.5, -9, 9, 0.5], [0, 0, 0, 0], (2, 1))
+    faces = np.array([[0, 1, 2], [2, 1, 3]])
+    for face_index in [[0, 1]], [[0, -1]], [[-1, 1]]:
+        picture = np.array(face_index), np.where(np.array(face_index) < 0, np.inf, 0.5)
+        _, others = both_of(impl, *picture, clip, faces, opposite_of(faces))
+        assert_equal(others[0].shape, (0,))
 
 
 def expected_outlines(face_index, depth, clip, faces):

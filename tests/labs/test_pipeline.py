@@ -112,7 +112,7 @@ def drawn_pairs(impl, *scene):
     pairs = drawn(impl, *scene)[1][5]
     if not isinstance(pairs, tuple) or len(pairs) != 8:
         kind = "None" if pairs is None else type(pairs).__name__
-        raise Mismatch(("wrong", "the last of the buffers must be the pairs that walked_pairs "
+        raise Mismatch(("wrong", "the last of the buffers must be the pairs that all_pairs "
                                  f"returns, which the way back needs; it is {kind}"))
     return by_pixel(pairs)
 
@@ -192,7 +192,7 @@ def centres():
 
 @exercise("9.2")
 def test_inside_of_a_mesh_nothing_is_blended(impl):
-    """Each edge is taken for an outline: opposite is not passed on to walked_pairs, or all -1."""
+    """Each edge is taken for an outline: opposite is not passed on to all_pairs, or all -1."""
     colours = impl.Colours(QUAD_COLOURS)
     picture, _ = drawn(impl, QUAD, *QUAD_MESH, colours, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, centres() @ SHADES, atol=1e-9)

@@ -48,6 +48,7 @@ def outline_pairs(face_index, depth, clip, faces, opposite):
     screen, silhouette = all_silhouettes(clip, faces, opposite, width, height)
     seen = face_index.ravel()
     found = [leave_faces(*np.zeros((3, 0), int), screen, faces, width)]
+    others = found[:]
     for pair in zip(*neighbours(face_index, depth), strict=True):
         for owner, other in pair, pair[::-1]:
             if seen[owner] < 0:
@@ -60,4 +61,6 @@ def outline_pairs(face_index, depth, clip, faces, opposite):
                 break
             if one.c[0] < 1:
                 break
-    return joined(found)
+            if owner == pair[1]:
+                others.append(one)
+    return joined(found), joined(others)

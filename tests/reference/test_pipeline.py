@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import interpolation, mipmapping, outlines, pipeline, rasterization, transforms
+from reference import interpolation, intersections, mipmapping, pipeline, rasterization, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -36,10 +36,18 @@ def half_a_bunny(rng):
     return mesh.normalize(positions), faces[centre[:, 0] > np.median(centre[:, 0])]
 
 
+def crossed_balls(rng):
+    """Two balls of faces smaller than a pixel, which pass through each other."""
+    ball, faces = mesh.icosphere(1_500)
+    return (np.concatenate([0.6 * ball + [0.3, 0.1, 0.3], 0.8 * ball - [0.2, 0.1, 0.1]]),
+            np.concatenate([faces, faces + len(ball)]))
+
+
 SCENES = {"cube": (lambda rng: mesh.cube(12), camera()),
           "torus": (lambda rng: mesh.torus(150), camera(1.3, 4.0)),
           "soup": (soup, camera(0.2, 3.0)),
           "vertices behind the camera": (inside_out, camera(0.4, 1.5)),
+          "crossed balls": (crossed_balls, camera()),
           "half a bunny": (half_a_bunny, camera(0.9, 2.5))}
 
 
@@ -52,12 +60,10 @@ def scene(name):
     return shape, Colours(colours), View(clip_from_model, WIDTH, HEIGHT, background)
 
 
-def decided(buffers, shape):
+def decided(buffers):
     """What a picture decides: faces, pairs, edges, which pixel changes, what is saturated."""
-    clip, face_index, depth, *_ = buffers
-    owner, other, c, ends, *_ = outlines.blended_pairs(face_index, depth, clip, shape.faces,
-                                                       shape.opposite)
-    return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
+    owner, other, c, ends, _, _, *faces = buffers.pairs
+    return buffers.face_index, owner, other, ends, *faces, c > 0.5, (c > 0) & (c < 1)
 
 
 def few(arrays, rows):
@@ -116,9 +122,12 @@ def test_the_gradients_of_a_picture_are_central_differences(name):
     clip, face_index, *_ = render(*arrays)[1]
     vertices = np.unique(shape.faces[face_index[face_index >= 0]])
     behind = vertices[clip[vertices, 3] < 0]
+    met = intersections.meetings(render(*arrays)[1].pairs, clip)
+    assert len(met.c) > 4 or name not in ("crossed balls", "soup")
     assert (len(behind) > 0) == (name == "vertices behind the camera")
-    some = np.unique(np.append(vertices[::len(vertices) // 4][:4], behind[:1]))
-    whole_gradcheck(name, render, backward, lambda buffers, *_: decided(buffers, shape), arrays,
+    some = np.append(vertices[::len(vertices) // 4][:4], behind[:1])
+    some = np.unique(np.append(some, shape.faces[np.append(met.face[:1], met.edge[:1])]))
+    whole_gradcheck(name, render, backward, lambda buffers, *_: decided(buffers), arrays,
                     [some, some])
 
 
@@ -148,7 +157,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter_mode
         level = np.where("mipmap" in filter_mode, mipmapping.mip_level(footprint, 8, 16), 0)
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
-        return *decided(buffers, shape), level, *texels
+        return *decided(buffers), level, *texels
 
     whole_gradcheck(f"textured, {filter_mode}", render, backward, decisions,
                     (shape.positions, uv, image, view.clip_from_model),
