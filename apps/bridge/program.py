@@ -1,11 +1,10 @@
-"""Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS.
+"""Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS, or run -m PACKAGE ARGS.
 
 In this process `import nvdiffrast.torch` and `import neural_renderer` find the interfaces of this
-room, and "cuda" means the processor.
+folder, and "cuda" means the processor.
 """
 import contextlib
 import functools
-import importlib
 import os
 import platform
 import re
@@ -22,7 +21,7 @@ from course.given import whose
 
 from . import tensors
 
-ANSWERED = "nvdiffrast.torch", "neural_renderer"
+INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own names
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
@@ -31,41 +30,35 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 
 
-def run(script, arguments, implementation=None):
-    """Run a program as `python SCRIPT ARGUMENTS` would, by the reference or by labs/.
+def run(script, arguments, implementation=None, is_module=False):
+    """Run a program as `python SCRIPT ARGUMENTS` would, or `python -m SCRIPT ARGUMENTS`, by the
+    reference or by labs/.
 
     ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
     Lacking: it needs an exercise that is not written.
     """
     path = Path(script).resolve()
-    if not path.is_file():
+    if not is_module and not path.is_file():
         raise ValueError(f"there is no program {script}; give the path of a .py file")
     tensors.labs = whose.Labs(implementation)
-    answer()
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
     pretend()
     sys.argv[:] = str(script), *arguments
-    sys.path[:] = str(path.parent), *sys.path[1:], sys.path[0]  # the course itself comes last
+    first = str(Path.cwd() if is_module else path.parent)
+    sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
     with whose.exercises_named(), needs_named(script):
         try:
-            runpy.run_path(str(path), run_name="__main__")
+            if is_module:
+                runpy.run_module(script, run_name="__main__", alter_sys=True)
+            else:
+                runpy.run_path(str(path), run_name="__main__")
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
             traceback.print_exc()
             return 1
     return 0
-
-
-def answer():
-    """Let each module of the interfaces be found under the name that programs import."""
-    here = f"{__package__}."
-    for name in ANSWERED:
-        importlib.import_module(here + name)
-    for name, module in list(sys.modules.items()):
-        if name.startswith(tuple(here + answered.partition(".")[0] for answered in ANSWERED)):
-            sys.modules[name.removeprefix(here)] = module
 
 
 @contextlib.contextmanager

@@ -1,7 +1,8 @@
-"""Programs as they are: python3 -m course run, in a process of its own."""
+"""Programs as they are, in a process of their own: python3 -m course run, or all installed."""
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -37,21 +38,41 @@ rast, _ = dr.rasterize(context, clip, tri, (4, 6))
 print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
 sys.exit(3)
 '''
+INSTALLED = '''
+import multiprocessing, site, sys
+site.addsitedir(sys.argv[1])  # as Python does with the folder that pip installs into
+
+def layers(_):
+    import neural_renderer, nvdiffrast, nvdiffrast.torch.ops, torch
+    from neural_renderer.load_obj import load_obj
+    if not hasattr(nvdiffrast.torch, "DepthPeeler"):
+        return "the real one"
+    pos = torch.tensor([[[-1.0, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1]]])
+    tri = torch.tensor([[0, 1, 2]], dtype=torch.int32)
+    context = nvdiffrast.torch.RasterizeCudaContext()
+    return int(nvdiffrast.torch.rasterize(context, pos, tri, (4, 6))[0][..., 3].sum())
+
+if __name__ == "__main__":
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        print(layers(0), pool.map(layers, [0]))
+'''
 
 
 def run(folder, program, *options):
     """Run a program in a folder -> its exit status, and what it printed."""
     (folder / "program.py").write_text(program)
     (folder / "beside.py").write_text("NUMBER = 42")
-    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, "program.py",
+    name = "program" if "-m" in options else "program.py"
+    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, name,
                            "--impl", "its own"], cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
-def test_a_cuda_program_runs_on_the_processor(tmp_path):
+@pytest.mark.parametrize("options", [(), ("-m",)])
+def test_a_cuda_program_runs_on_the_processor(options, tmp_path):
     """It needs a character changed, or what it moved to the card changes with what stayed."""
-    status, said = run(tmp_path, WHOLE)
-    assert (status, "program.py', '--impl', 'its own'] 42 12" in said) == (3, True), said
+    status, said = run(tmp_path, WHOLE, *options)
+    assert (status, "', '--impl', 'its own'] 42 12" in said) == (3, True), said
     assert "cuda means the processor here, and reference/ does the work" in said
 
 
@@ -87,3 +108,21 @@ def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
     (tmp_path / "labs" / "transforms.py").write_text(text)
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
     assert status == 2 and said in printed and "Traceback" not in printed
+
+
+def test_installed_it_is_found_without_the_course_but_after_a_real_one(tmp_path):
+    """A module is missing in the package, a spawned worker does not find it, or it hides the real
+    nvdiffrast.
+    """
+    pytest.importorskip("setuptools", minversion="77", reason="the package's build needs it")
+    build = (sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation")
+    subprocess.run([*build, "-w", tmp_path, ROOT / "apps" / "bridge"], check=True)
+    site = tmp_path / "site"
+    zipfile.ZipFile(next(tmp_path.glob("*.whl"))).extractall(site)
+    (tmp_path / "use.py").write_text(INSTALLED)
+    use = sys.executable, "use.py", site
+    assert subprocess.check_output(use, cwd=tmp_path, text=True).strip() == "12 [12]"
+    (site / "nvdiffrast" / "torch").mkdir(parents=True)
+    for file in "__init__", "torch/__init__", "torch/ops":
+        (site / "nvdiffrast" / f"{file}.py").touch()
+    assert "the real one" in subprocess.check_output(use, cwd=tmp_path, text=True)
