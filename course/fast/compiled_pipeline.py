@@ -159,15 +159,17 @@ def coloured(face_index, points, faces, colours, background):
     return weights.reshape(3, height, width).transpose(1, 2, 0), colour
 
 
-def walked_pairs(face_index, depth, points, faces, opposite):
-    """`outline_walk.walked_pairs`, from the points of `screen_vertices`."""
+def walked_pairs(face_index, depth, points, faces, opposite, walks=True):
+    """`outline_walk.walked_pairs`, from the points of `screen_vertices`. If nothing walks,
+    `outlines.blended_pairs`.
+    """
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
     surface = pair_kernels.Surface(points, faces, opposite)
 
     def band(*rows):
         pairs = room_for_pairs(2 * (rows[1] - rows[0]) * width)
-        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs)
+        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs, walks)
         return outlines.Pairs(*(part[..., :count].copy() for part in pairs)), beside
 
     found = list(in_bands(band, width, height))
@@ -269,16 +271,17 @@ def through_texture(grad_picture, buffers, faces, material):
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, grad_clip):
+def pairs_backward(grad_picture, buffers, grad_clip, epsilon=0.0):
     """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
-    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
+    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each. epsilon: of
+    `crossing_backward`.
     """
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
     grad_pixels = np.empty((len(pairs.c), 2, channels))
     are_there = pair_kernels.blend_backward(
         grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), buffers.clip,
-        (width, height), grad_clip, grad_pixels)
+        pair_kernels.Sides(width, height, epsilon), grad_clip, grad_pixels)
     if not are_there:
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")

@@ -35,6 +35,9 @@ Crossing = namedtuple("Crossing", "face edge c")
 # From a pair's owner to its other pixel, and the picture's sides.
 Step = namedtuple("Step", "dx dy width height")
 
+# Of a picture; and the epsilon of `crossing_backward`.
+Sides = namedtuple("Sides", "width height epsilon")
+
 
 @kernel
 def point(points, v):
@@ -184,6 +187,20 @@ def keep_outlines(screen, surface, pairs, begin, end):
 
 
 @kernel
+def keep_own(screen, surface, pairs, begin, end):
+    """The same by the owner's face alone, as nvdiffrast has it."""
+    points, faces, opposite = surface
+    kept = begin
+    for n in range(begin, end):
+        owner, other = pairs.owner[n], pairs.other[n]
+        frame = frame_of(owner, other, screen.width)
+        at = leave(points, faces, np.intp(screen.face_index[owner]), frame)
+        if at.c < 1 + WINDOW and is_silhouette(points, faces, opposite, at):
+            kept += put(pairs, kept, owner, other, at, surface, frame)
+    return kept
+
+
+@kernel
 def put(pairs, n, owner, other, at, surface, frame):
     """Write pair n, at a Crossing -> whether it is blended."""
     pairs.owner[n], pairs.other[n] = owner, other
@@ -198,13 +215,18 @@ def put(pairs, n, owner, other, at, surface, frame):
 
 
 @kernel
-def find_pairs(screen, surface, rows, pairs):
+def find_pairs(screen, surface, rows, pairs, walks):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
     those with the one above -> how many there are of the first, and in all.
     """
-    beside = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0))
-    return beside, keep_outlines(screen, surface, pairs, beside,
-                                 neighbours(1, screen, rows, pairs, beside))
+    count = beside = 0
+    for axis in range(2):
+        beside, end = count, neighbours(axis, screen, rows, pairs, count)
+        if walks:
+            count = keep_outlines(screen, surface, pairs, count, end)
+        else:
+            count = keep_own(screen, surface, pairs, count, end)
+    return beside, count
 
 
 @kernel
@@ -257,18 +279,17 @@ def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip
     """Backward of `blend`: adds those of edges to grad_clip (V, 4), and finds what the pixels
     get beside grad_picture: grad_pixels (N, 2, C), owner and other -> whether all are there.
     """
-    width, height = sides
     if not are_whole(pairs):
         return False
     for n in range(len(pairs.c)):
-        if not is_there(pairs, n, width * height, len(clip)):
+        if not is_there(pairs, n, sides.width * sides.height, len(clip)):
             return False
         owner, other = pairs.owner[n], pairs.other[n]
         grad_alpha = alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels)
         if 0 < pairs.c[n] < 1:
-            step = Step(other % width - owner % width, other // width - owner // width,
-                        width, height)
-            ends_backward(grad_alpha, pairs, n, step, clip, grad_clip)
+            step = Step(other % sides.width - owner % sides.width,
+                        other // sides.width - owner // sides.width, sides.width, sides.height)
+            ends_backward(grad_alpha, pairs, n, step, clip, sides.epsilon, grad_clip)
     return True
 
 
@@ -289,10 +310,10 @@ def alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels):
 
 
 @kernel
-def ends_backward(grad_alpha, pairs, n, step, clip, grad_clip):
+def ends_backward(grad_alpha, pairs, n, step, clip, epsilon, grad_clip):
     """The way back from alpha = 1/2 - c to both ends of a pair's edge."""
     x0, x1, y0, y1 = pairs.x[0, n], pairs.x[1, n], pairs.y[0, n], pairs.y[1, n]
-    r = 1 / (y1 - y0)
+    r = 1 / (y1 - y0 + np.copysign(epsilon, y1 - y0))
     c = (x0 * y1 - x1 * y0) * r
     slope = -grad_alpha * r
     end_backward((slope * y1, slope * (c - x1)), step, clip, pairs.ends[0, n], grad_clip)

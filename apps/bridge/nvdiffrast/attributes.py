@@ -4,8 +4,9 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
+
 from .pixels import faces_of
 
 
@@ -19,7 +20,9 @@ def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
     chosen = chosen_of(diff_attrs, count)
     require(not len(chosen) or rast_db is not None, "diff_attrs needs rast_db, which rasterize() "
             "returned beside rast")
-    return Interpolate.apply(attr, rast, tri, rast_db if len(chosen) else None, chosen)
+    rast_db = rast_db if len(chosen) else None
+    by = Mix if tensors.kernels(attr, rast, rast_db) else Interpolate
+    return by.apply(attr, rast, tri, rast_db, chosen)
 
 
 def chosen_of(diff_attrs, count):
@@ -43,14 +46,21 @@ class Look(NamedTuple):
     weights: list[np.ndarray]
 
 
+def arrays_of(attr, rast):
+    """The attributes (1 or N, V, A) of one or all pictures of rast."""
+    values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
+    values = values.reshape(-1, *values.shape[-2:])
+    require(len(values) in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
+            f"pictures, as rast has; it has those of {len(values)}")
+    return values
+
+
 def looks(attr, rast, tri, rast_db):
     """A Look for each array of attributes. If there is only one, all pictures are one, one above
     the other.
     """
     faces = array("tri", tri, "f 3", INTEGERS)
     count, width = 1 if attr.ndim == 2 else len(attr), rast.shape[2]
-    require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
-            f"pictures, as rast has; it has those of {count}")
     pixels = array("rast", rast, "n h w 4").reshape(count, -1, width, 4)
     changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
         count, -1, width, 2, 2)
@@ -70,13 +80,49 @@ def corner_weights(uv, total):
     return weights
 
 
+class Mix(torch.autograd.Function):
+    """`Interpolate` by compiled loops."""
+
+    @staticmethod
+    def forward(ctx, attr, rast, tri, rast_db, chosen):
+        kernels, faces = tensors.kernels(attr), array("tri", tri, "f 3", INTEGERS)
+        values = arrays_of(attr, rast)
+        pixels = [[None] * len(values) if part is None else
+                  array(name, part, f"{len(rast)} h w 4").reshape(len(values), -1, 4)
+                  for name, part in (("rast", rast), ("rast_db", rast_db))]
+        ctx.given = [(kernels.flat(*each), kernels.Attributes(faces, value, chosen))
+                     for *each, value in zip(*pixels, values.astype(float), strict=True)]
+        out, out_da = (np.zeros((*rast.shape[:3], count), np.float32)
+                       for count in (values.shape[2], 2 * len(chosen)))
+        rows = (part.reshape(len(values), -1) for part in (out, out_da))
+        for given, *each in zip(ctx.given, *rows, strict=True):
+            if not kernels.interpolate(*given, *each):
+                faces_of(array("rast", rast, "n h w 4"), len(faces))
+                require(False, f"tri must name some of {values.shape[1]} vertices")
+        ctx.save_for_backward(attr, rast, rast_db)
+        ctx.set_materialize_grads(False)
+        return torch.from_numpy(out), torch.from_numpy(out_da)
+
+    @staticmethod
+    def backward(ctx, *grads):
+        attr, rast, rast_db = ctx.saved_tensors
+        kernels, count = tensors.kernels(attr), len(ctx.given)
+        upstream = [count * [np.empty(0, np.float32)] if grad is None
+                    else grad.detach().contiguous().numpy().reshape(count, -1) for grad in grads]
+        grad_values = np.zeros((count, *ctx.given[0][1].values.shape))
+        grad_pixels = np.zeros((2, count, rast.numel() // count), np.float32)
+        for each in zip(*upstream, ctx.given, *grad_pixels, grad_values, strict=True):
+            kernels.interpolate_backward(*each[:2], *each[2], kernels.Grads(*each[3:]))
+        by_rast, by_db = (torch.from_numpy(part).reshape(rast.shape) for part in grad_pixels)
+        return (tensor(grad_values, attr), by_rast, None, None if rast_db is None else by_db, None)
+
+
 class Interpolate(torch.autograd.Function):
     """Lab 5: `interpolate` with each of a Look's weights, and `interpolate_backward`."""
 
     @staticmethod
     def forward(ctx, attr, rast, tri, rast_db, chosen):
-        values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
-        values = values.reshape(-1, *values.shape[-2:])
+        values = arrays_of(attr, rast)
         ctx.looks = list(looks(attr, rast, tri, rast_db))
         faces = array("tri", tri, "f 3", INTEGERS)
         mix = tensors.labs.interpolation.interpolate

@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
+
 from .pixels import faces_of
 
 EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
@@ -52,8 +53,13 @@ class Antialias(torch.autograd.Function):
         faces = array("tri", tri, "f 3", INTEGERS)
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
-        out, ctx.pairs = np.empty_like(colours), []
+        out, ctx.pairs, ctx.kernels = np.empty_like(colours), [], tensors.kernels(color, rast, pos)
         for n, clip in enumerate(vertices(pos, len(color))):
+            pairs = ctx.kernels and ctx.kernels.blended_pairs(seen[n], clip, faces, opposite)
+            if pairs:
+                ctx.pairs.append(pairs)
+                out[n] = ctx.kernels.blend(colours[n], pairs)
+                continue
             face_index = faces_of(seen[n], len(faces))
             depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
             ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
@@ -66,9 +72,10 @@ class Antialias(torch.autograd.Function):
     @staticmethod
     def backward(ctx, grad):
         color, pos = ctx.saved_tensors
-        given = grad.numpy(), color.detach().numpy(), ctx.pairs, vertices(pos, len(color))
-        grads = (tensors.labs.antialiasing.blend_pairs_backward(*each, EPSILON)
-                 for each in zip(*given, strict=True))
+        given = (grad.detach().contiguous().numpy(), color.detach().numpy(), ctx.pairs,
+                 vertices(pos, len(color)))
+        back = (ctx.kernels or tensors.labs.antialiasing).blend_pairs_backward
+        grads = (back(*each, EPSILON) for each in zip(*given, strict=True))
         grad_color, grad_clip = zip(*grads, strict=True)
         grad_pos = ctx.boost * (np.stack(grad_clip) if pos.ndim == 3 else sum(grad_clip))
         return tensor(np.stack(grad_color), color), None, tensor(grad_pos, pos), None, None, None

@@ -4,8 +4,8 @@ import operator
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
@@ -102,8 +102,15 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
+        ctx.seen, kernels = [], tensors.kernels(pos)
         for n, (clip, faces, first) in enumerate(batch):
-            seen = visible(clip, faces, screen, depths.get(n) if depths else None)
+            seen = visible(clip, faces, screen, depths.get(n) if depths else None, kernels)
+            ctx.seen.append(seen.face_index)
+            if depths is not None:
+                depths[n] = seen.depth
+            if kernels:
+                kernels.show(clip, faces, seen[1:3], first, rast[n], rast_db[n])
+                continue
             is_seen = seen.face_index >= 0
             rast[n, ..., :2] = seen.barycentric[..., :2]
             rast[n, ..., 2][is_seen] = seen.depth[is_seen]
@@ -111,8 +118,6 @@ class Rasterize(torch.autograd.Function):
             derivatives = tensors.labs.interpolation.barycentrics_derivatives(
                 seen.face_index, seen.clip, faces)
             rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
-            if depths is not None:
-                depths[n] = seen.depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
         ctx.save_for_backward(pos, tri, rast)
         ctx.ranges, ctx.grad_db = ranges, grad_db
@@ -121,11 +126,16 @@ class Rasterize(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx, grad_rast, grad_rast_db):
-        pos, tri, rast = ctx.saved_tensors
+        pos, tri, _ = ctx.saved_tensors
         grad_rast_db = grad_rast_db if ctx.grad_db else None
-        grads = []
-        for n, (clip, faces, first) in enumerate(pictures(pos, tri, ctx.ranges)):
-            face_index = faces_of(rast[n].numpy(), len(tri)) - first
+        grads, kernels = [], tensors.kernels(pos)
+        for n, (clip, faces, _) in enumerate(pictures(pos, tri, ctx.ranges)):
+            face_index = ctx.seen[n]
+            if kernels:
+                back = (np.zeros((*face_index.shape, 4), np.float32) if grad is None
+                        else grad[n].detach().numpy() for grad in (grad_rast, grad_rast_db))
+                grads.append(kernels.show_backward(*back, face_index, clip, faces, EPSILON))
+                continue
             grad_b = np.zeros((*face_index.shape, 3))
             if grad_rast is not None:
                 grad_b[..., :2] = grad_rast[n, ..., :2]
@@ -139,13 +149,16 @@ class Rasterize(torch.autograd.Function):
         return tensor(grad_pos, pos), None, None, None, None, None
 
 
-def visible(clip, faces, screen, beyond):
+def visible(clip, faces, screen, beyond, kernels):
     """Lab 9's Buffers of what is seen, or of what is seen beyond a depth (H, W)."""
     labs, size = tensors.labs, (screen.width, screen.height)
-    if beyond is None:
+    if beyond is not None:
+        face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
+    elif kernels:
+        face_index, depth = labs.compiled_pipeline.rasterize(clip, faces, *size)
+    else:
         return labs.pipeline.visible(clip, faces, *size)
-    face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
-    barycentric = labs.interpolation.barycentrics(face_index, clip, faces)
+    barycentric = None if kernels else labs.interpolation.barycentrics(face_index, clip, faces)
     return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
 
 

@@ -6,10 +6,9 @@ import torch
 from scipy.sparse import sparray
 from torch.utils.weak import WeakTensorKeyDictionary
 
+from apps.bridge import tensors
+from apps.bridge.tensors import array, require, tensor
 from course.given import arrays
-
-from .. import tensors
-from ..tensors import array, require, tensor
 
 KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
 

@@ -1,0 +1,243 @@
+"""Float kernels: lab 2, 5, 7 and 8's operations on float32 numbers, as other people's programs have
+them: apps/bridge.
+
+    show, show_backward       weights and their derivatives, by footprint_kernels
+    mix, mix_backward         (6) and (7) of interpolation.py
+    blended_pairs, blend      what nvdiffrast blends, by pair_kernels; blend_pairs_backward
+
+rast (P, 4) has u, v, z / w and a face's code at each pixel, rast_db (P, 4) the derivatives of u and
+v. All arithmetic is of 64 bits, and what is found is NumPy's to rounding.
+"""
+from collections import namedtuple
+
+import numpy as np
+
+from course.given.compiled import each_band, kernel
+
+from . import compiled_pipeline, footprint_kernels, pair_kernels, pipeline
+from .compiled_pipeline import BAND, contiguous, on_all_cores, parts, screen_vertices
+from .texel_kernels import constant
+
+EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
+CODE = 0x4A800000  # the float32 whose bits are this and the number
+
+# Flat: rast (4 P,), the same as int32, and rast_db (4 P,).
+Pixels = namedtuple("Pixels", "rast codes rast_db")
+
+# faces (F, 3), attributes (V, A) and the numbers (D,) of those whose derivatives are asked for.
+Attributes = namedtuple("Attributes", "faces values chosen")
+
+# The gradients of rast and rast_db (4 P,), and of the attributes (V, A).
+Grads = namedtuple("Grads", "rast rast_db values")
+
+
+@kernel
+def write_rast(face_index, depth, weights, first, pixels, part):
+    """rast of pixels in a part, from weights (2 P,). first: the number of face 0."""
+    rast, codes, _ = pixels
+    for p in range(*part):
+        if face_index[p] >= 0:
+            number = first + face_index[p] + 1
+            rast[4 * p], rast[4 * p + 1] = weights[2 * p], weights[2 * p + 1]
+            rast[4 * p + 2] = depth[p]
+            if number <= EXACT:
+                rast[4 * p + 3] = number
+            else:
+                codes[4 * p + 3] = number + CODE
+
+
+@kernel
+def face_at(pixels, p):
+    """The face that a pixel sees, -1 for none."""
+    number = pixels.rast[4 * p + 3]
+    return np.intp(number) - 1 if number <= EXACT else np.intp(pixels.codes[4 * p + 3]) - CODE - 1
+
+
+@kernel
+def read_rast(pixels, count, face_index, depth):
+    """face_index, depth (P,) of rast -> whether it sees none but so many faces."""
+    for p in range(len(face_index)):
+        face = face_at(pixels, p)
+        if face >= count:
+            return False
+        face_index[p], depth[p] = face, pixels.rast[4 * p + 2] if face >= 0 else np.inf
+    return True
+
+
+@kernel
+def are_corners(mesh, face):
+    """Is it one of the faces, and are its corners vertices?"""
+    if face >= len(mesh.faces):
+        return False
+    a, b, c = mesh.faces[face, 0], mesh.faces[face, 1], mesh.faces[face, 2]
+    return min(a, b, c) >= 0 and max(a, b, c) < len(mesh.values)
+
+
+@kernel
+def mix(pixels, mesh, part, out, out_da):
+    """Pixels of a part: out (P A,), out_da (2 P D,) -> whether all see faces that are there."""
+    rast, _, rast_db = pixels
+    faces, values, chosen = mesh
+    size, count = values.shape[1], len(chosen)
+    for p in range(*part):
+        face = face_at(pixels, p)
+        if face < 0:
+            continue
+        if not are_corners(mesh, face):
+            return False
+        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+        u, v = np.float64(rast[4 * p]), np.float64(rast[4 * p + 1])
+        for k in range(size):
+            out[p * size + k] = u * values[a, k] + v * values[b, k] + (1 - u - v) * values[c, k]
+        for n in range(count):
+            to_a = values[a, chosen[n]] - values[c, chosen[n]]
+            to_b = values[b, chosen[n]] - values[c, chosen[n]]
+            for axis in range(2):
+                out_da[2 * (p * count + n) + axis] = (rast_db[4 * p + axis] * to_a
+                                                      + rast_db[4 * p + 2 + axis] * to_b)
+    return True
+
+
+@kernel
+def mix_backward(grad_out, grad_da, pixels, mesh, part, grads):
+    """Backward of `mix`: grad_out (P A,), grad_da (2 P D,), either without numbers if there is
+    none; adds to grads.
+    """
+    for p in range(*part):
+        face = face_at(pixels, p)
+        if face >= 0:
+            corners = mesh.faces[face, 0], mesh.faces[face, 1], mesh.faces[face, 2]
+            if len(grad_out):
+                values_backward(grad_out, pixels, mesh, p, corners, grads)
+            if len(grad_da):
+                derivatives_backward(grad_da, pixels, mesh, p, corners, grads)
+
+
+@kernel
+def values_backward(grad_out, pixels, mesh, p, corners, grads):
+    """From the attributes at a pixel."""
+    a, b, c = corners
+    values, size = mesh.values, mesh.values.shape[1]
+    u, v = np.float64(pixels.rast[4 * p]), np.float64(pixels.rast[4 * p + 1])
+    grad_u, grad_v = 0.0, 0.0
+    for k in range(size):
+        grad = grad_out[p * size + k]
+        grad_u += grad * (values[a, k] - values[c, k])
+        grad_v += grad * (values[b, k] - values[c, k])
+        grads.values[a, k] += u * grad
+        grads.values[b, k] += v * grad
+        grads.values[c, k] += (1 - u - v) * grad
+    grads.rast[4 * p], grads.rast[4 * p + 1] = grad_u, grad_v
+
+
+@kernel
+def derivatives_backward(grad_da, pixels, mesh, p, corners, grads):
+    """From the derivatives at a pixel."""
+    a, b, c = corners
+    values, chosen, rast_db = mesh.values, mesh.chosen, pixels.rast_db
+    for n in range(len(chosen)):
+        k = chosen[n]
+        for axis in range(2):
+            grad = np.float64(grad_da[2 * (p * len(chosen) + n) + axis])
+            u, v = 4 * p + axis, 4 * p + 2 + axis
+            grads.values[a, k] += rast_db[u] * grad
+            grads.values[b, k] += rast_db[v] * grad
+            grads.values[c, k] -= (rast_db[u] + rast_db[v]) * grad
+            grads.rast_db[u] += grad * (values[a, k] - values[c, k])
+            grads.rast_db[v] += grad * (values[b, k] - values[c, k])
+
+
+def flat(rast, rast_db=None):
+    """The Pixels of rast and rast_db (..., 4), if there is one."""
+    rast_db = rast if rast_db is None else rast_db
+    return Pixels(rast.reshape(-1), rast.reshape(-1).view(np.int32), rast_db.reshape(-1))
+
+
+def runs_of(face_index):
+    """The runs of a picture (H, W) that see a face, in bands, each numbered by its first pixel."""
+    runs = footprint_kernels.seen_runs(footprint_kernels.flat(face_index))
+    bands = parts(len(runs.start), 1 + face_index.size // BAND)
+    return [(footprint_kernels.Runs(runs.start[i:j], runs.end[i:j], runs.start[i:j]),)
+            for i, j in bands]
+
+
+def show(clip, faces, seen, first, rast, rast_db):
+    """Writes rast and rast_db (H, W, 4), of zeros: seen is face_index, depth (H, W)."""
+    face_index, depth = seen
+    clip, faces = contiguous(clip, faces)
+    points, _ = screen_vertices(clip, *face_index.shape[::-1])
+    mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, np.eye(3, 2),
+                                     np.broadcast_to(np.arange(3), faces.shape), 0.0)
+    weights, pixels = np.empty(2 * face_index.size, np.float32), flat(rast, rast_db)
+    list(each_band(lambda runs: footprint_kernels.footprints_along(
+        runs, footprint_kernels.flat(face_index), mesh, weights, pixels.rast_db),
+        runs_of(face_index)))
+    on_all_cores(lambda *part: write_rast(face_index.ravel(), depth.ravel(), weights, first, pixels,
+                                          part), face_index.size, face_index.size)
+
+
+def show_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+    """Backward of `show`, grads (H, W, 4) -> grad_clip (V, 4)."""
+    clip, faces = contiguous(clip, faces)
+    corners = faces[:, (2, 0, 1)]  # the first one has 0 for u and for v
+    mesh = footprint_kernels.Wrapped(clip, corners, np.eye(3, 2, -1),
+                                     np.broadcast_to(np.arange(3), faces.shape), epsilon)
+    picture = footprint_kernels.flat(face_index)
+    grads = grad_rast[..., :2].ravel(), grad_rast_db.ravel()
+    grad_clip, grad_uv = np.zeros(clip.shape), np.zeros((3, 2))
+
+    def band(runs):
+        records = np.empty((len(runs.start), 3, 3)), np.empty((len(runs.start), 3, 2))
+        footprint_kernels.run_gradients(runs, picture, mesh, *grads, records)
+        return runs, records
+
+    for runs, records in each_band(band, runs_of(face_index)):
+        footprint_kernels.add_to_corners(runs, picture.face_index, mesh, records, grad_clip,
+                                         grad_uv)
+    return grad_clip
+
+
+def interpolate(pixels, mesh, out, out_da):
+    """`mix` of all Pixels."""
+    count = len(pixels.rast) // 4
+    return all(on_all_cores(lambda *part: mix(pixels, mesh, part, out, out_da), count, count))
+
+
+def interpolate_backward(grad_out, grad_da, pixels, mesh, grads):
+    """`mix_backward` of all Pixels: adds to grads."""
+    count = len(pixels.rast) // 4
+
+    def band(*part):
+        own = grads._replace(values=np.zeros(grads.values.shape))
+        mix_backward(grad_out, grad_da, pixels, mesh, part, own)
+        return own.values
+
+    for values in each_band(band, parts(count, 1 + count // max(BAND, 8 * grads.values.size))):
+        grads.values[...] += values
+
+
+def blended_pairs(rast, clip, faces, opposite):
+    """`outlines.blended_pairs` of rast (H, W, 4) -> Pairs. None: it sees other faces."""
+    clip, faces = contiguous(clip, faces)
+    face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2])
+    if not read_rast(flat(rast), len(faces), face_index.reshape(-1), depth.reshape(-1)):
+        return None
+    points, _ = screen_vertices(clip, *face_index.shape[::-1])
+    return compiled_pipeline.walked_pairs(face_index, depth, points, faces, opposite, False)
+
+
+def blend(colour, pairs):
+    """`antialiasing.blend_pairs`."""
+    picture = colour.copy()
+    pair_kernels.blend(picture.reshape(-1), colour.reshape(-1), pairs, constant(colour.shape[2]))
+    return picture
+
+
+def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
+    """`antialiasing.blend_pairs_backward`."""
+    grad_clip, grad_colour = np.zeros(clip.shape), grad_picture.copy()
+    buffers = pipeline.Buffers(np.asarray(clip, float), None, None, None, colour, pairs)
+    pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, grad_clip, epsilon)
+    channels = colour.shape[2]
+    np.add.at(grad_colour.reshape(-1, channels), pixels, grads.reshape(-1, channels))
+    return grad_colour, grad_clip
