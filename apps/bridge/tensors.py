@@ -29,17 +29,21 @@ def array(name, tensor, shape, types=FLOATS):
 
     shape: as "n h w 4", letters for lengths that are free. RuntimeError for what does not fit.
     """
-    require(isinstance(tensor, torch.Tensor), f"{name} must be a tensor, not {type(tensor)}")
-    require(tensor.device.type == "cpu", f"{name} is on {tensor.device}: this code works on the "
-            "processor, so give it tensors there, as .cpu() makes them")
-    require(tensor.dtype in types, f"{name} must be of {types[0]}, not {tensor.dtype}")
-    require(tensor.is_contiguous(), f"{name} must be contiguous: give {name}.contiguous()")
+    if not isinstance(tensor, torch.Tensor):
+        raise RuntimeError(f"{name} must be a tensor, not {type(tensor)}")
+    if not tensor.is_cpu:
+        raise RuntimeError(f"{name} is on {tensor.device}: this code works on the processor, so "
+                           "give it tensors there, as .cpu() makes them")
+    if tensor.dtype not in types:
+        raise RuntimeError(f"{name} must be of {types[0]}, not {tensor.dtype}")
+    if not tensor.is_contiguous():
+        raise RuntimeError(f"{name} must be contiguous: give {name}.contiguous()")
     lengths = shape.split()
-    fits = len(lengths) == tensor.ndim and all(
-        length == int(wanted) if wanted.isdigit() else length > 0
-        for length, wanted in zip(tensor.shape, lengths, strict=True))
-    require(fits, f"{name} must have the shape ({', '.join(lengths)}), nothing of it empty; it has "
-            f"{tuple(tensor.shape)}")
+    if len(lengths) != tensor.ndim or not all(
+            length == int(wanted) if wanted.isdigit() else length > 0
+            for length, wanted in zip(tensor.shape, lengths, strict=True)):
+        raise RuntimeError(f"{name} must have the shape ({', '.join(lengths)}), nothing of it "
+                           f"empty; it has {tuple(tensor.shape)}")
     return tensor.detach().numpy()
 
 

@@ -8,14 +8,16 @@ them: apps/bridge.
 rast (P, 4) has u, v, z / w and a face's code at each pixel, rast_db (P, 4) the derivatives of u and
 v. All arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
+import functools
 from collections import namedtuple
 
 import numpy as np
 
+from course.given import inputs
 from course.given.compiled import each_band, kernel
 
-from . import compiled_pipeline, footprint_kernels, pair_kernels, pipeline
-from .compiled_pipeline import BAND, contiguous, on_all_cores, parts, screen_vertices
+from . import compiled_pipeline, footprint_kernels, pair_kernels, pipeline, scanline
+from .compiled_pipeline import BAND, on_all_cores, parts
 from .texel_kernels import constant
 
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
@@ -147,10 +149,31 @@ def derivatives_backward(grad_da, pixels, mesh, p, corners, grads):
             grads.rast_db[v] += grad * (values[b, k] - values[c, k])
 
 
+@kernel
+def add_rows(values, index, sums):
+    """`scatter`: row index[n] of sums (P, C) gets the n-th C numbers of values."""
+    for n in range(len(index)):
+        for k in range(sums.shape[1]):
+            sums[index[n], k] += values[n * sums.shape[1] + k]
+
+
 def flat(rast, rast_db=None):
     """The Pixels of rast and rast_db (..., 4), if there is one."""
     rast_db = rast if rast_db is None else rast_db
     return Pixels(rast.reshape(-1), rast.reshape(-1).view(np.int32), rast_db.reshape(-1))
+
+
+def exact(clip, faces):
+    """clip and faces as kernels take them."""
+    return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
+
+
+@functools.lru_cache(maxsize=16)
+def weights_as_uv(count, first, epsilon):
+    """uv, uv_faces and epsilon of a Wrapped of so many faces, whose u and v are two of the corners'
+    weights, from the first of these on.
+    """
+    return np.eye(3, 2, -first), np.broadcast_to(np.arange(3), (count, 3)), epsilon
 
 
 def runs_of(face_index):
@@ -161,13 +184,19 @@ def runs_of(face_index):
             for i, j in bands]
 
 
-def show(clip, faces, seen, first, rast, rast_db):
-    """Writes rast and rast_db (H, W, 4), of zeros: seen is face_index, depth (H, W)."""
-    face_index, depth = seen
-    clip, faces = contiguous(clip, faces)
-    points, _ = screen_vertices(clip, *face_index.shape[::-1])
-    mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, np.eye(3, 2),
-                                     np.broadcast_to(np.arange(3), faces.shape), 0.0)
+def seen(clip, faces, width, height, beyond):
+    """`compiled_pipeline.seen`, or of what lies beyond a depth (H, W), if that is one."""
+    if beyond is None:
+        return compiled_pipeline.seen(clip, faces, width, height)
+    points, _ = compiled_pipeline.screen_vertices(clip, width, height)
+    return points, *scanline.rasterize(clip, faces, width, height, beyond)
+
+
+def show(faces, seen, first, rast, rast_db):
+    """Writes rast and rast_db (H, W, 4), of zeros: seen is `compiled_pipeline.seen`."""
+    points, face_index, depth = seen
+    screen = points[:, (0, 1, 3)]
+    mesh = footprint_kernels.Wrapped(screen, faces, *weights_as_uv(len(faces), 0, 0.0))
     weights, pixels = np.empty(2 * face_index.size, np.float32), flat(rast, rast_db)
     list(each_band(lambda runs: footprint_kernels.footprints_along(
         runs, footprint_kernels.flat(face_index), mesh, weights, pixels.rast_db),
@@ -178,10 +207,8 @@ def show(clip, faces, seen, first, rast, rast_db):
 
 def show_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
     """Backward of `show`, grads (H, W, 4) -> grad_clip (V, 4)."""
-    clip, faces = contiguous(clip, faces)
-    corners = faces[:, (2, 0, 1)]  # the first one has 0 for u and for v
-    mesh = footprint_kernels.Wrapped(clip, corners, np.eye(3, 2, -1),
-                                     np.broadcast_to(np.arange(3), faces.shape), epsilon)
+    clip, faces = exact(clip, faces[:, (2, 0, 1)])  # the first one has 0 for u and for v
+    mesh = footprint_kernels.Wrapped(clip, faces, *weights_as_uv(len(faces), 1, epsilon))
     picture = footprint_kernels.flat(face_index)
     grads = grad_rast[..., :2].ravel(), grad_rast_db.ravel()
     grad_clip, grad_uv = np.zeros(clip.shape), np.zeros((3, 2))
@@ -218,11 +245,13 @@ def interpolate_backward(grad_out, grad_da, pixels, mesh, grads):
 
 def blended_pairs(rast, clip, faces, opposite):
     """`outlines.blended_pairs` of rast (H, W, 4) -> Pairs. None: it sees other faces."""
-    clip, faces = contiguous(clip, faces)
+    clip, faces = exact(clip, faces)
     face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2])
     if not read_rast(flat(rast), len(faces), face_index.reshape(-1), depth.reshape(-1)):
         return None
-    points, _ = screen_vertices(clip, *face_index.shape[::-1])
+    if not 0 <= faces.min() <= faces.max() < len(clip):
+        inputs.require_faces(faces, len(clip))
+    points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
     return compiled_pipeline.walked_pairs(face_index, depth, points, faces, opposite, False)
 
 
@@ -238,6 +267,5 @@ def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
     grad_clip, grad_colour = np.zeros(clip.shape), grad_picture.copy()
     buffers = pipeline.Buffers(np.asarray(clip, float), None, None, None, colour, pairs)
     pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, grad_clip, epsilon)
-    channels = colour.shape[2]
-    np.add.at(grad_colour.reshape(-1, channels), pixels, grads.reshape(-1, channels))
+    add_rows(grads, pixels, grad_colour.reshape(-1, colour.shape[2]))
     return grad_colour, grad_clip

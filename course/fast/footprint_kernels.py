@@ -23,7 +23,7 @@ Runs = namedtuple("Runs", "start end number")
 # A flat one: the face that each pixel sees (H W,), -1 for none, and how wide it is.
 Picture = namedtuple("Picture", "face_index width")
 
-# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F, 3), uv (T, 2), `padded_sum`'s epsilon.
+# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F, 3), uv (T, 2), epsilon of (8) there.
 Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces epsilon")
 
 # Of a face: x, y and w on screen, or q_k of rasterizer_gradients.py. Or a normal n_k, whose w is

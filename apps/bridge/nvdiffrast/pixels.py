@@ -104,12 +104,17 @@ class Rasterize(torch.autograd.Function):
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
         ctx.seen, kernels = [], tensors.kernels(pos)
         for n, (clip, faces, first) in enumerate(batch):
-            seen = visible(clip, faces, screen, depths.get(n) if depths else None, kernels)
-            ctx.seen.append(seen.face_index)
-            if depths is not None:
-                depths[n] = seen.depth
+            beyond = depths.get(n) if depths else None
             if kernels:
-                kernels.show(clip, faces, seen[1:3], first, rast[n], rast_db[n])
+                clip, faces = kernels.exact(clip, faces)
+                seen = kernels.seen(clip, faces, screen.width, screen.height, beyond)
+                kernels.show(faces, seen, first, rast[n], rast_db[n])
+            else:
+                seen = visible(clip, faces, screen, beyond)
+            ctx.seen.append(seen[1])
+            if depths is not None:
+                depths[n] = seen[2]
+            if kernels:
                 continue
             is_seen = seen.face_index >= 0
             rast[n, ..., :2] = seen.barycentric[..., :2]
@@ -149,16 +154,13 @@ class Rasterize(torch.autograd.Function):
         return tensor(grad_pos, pos), None, None, None, None, None
 
 
-def visible(clip, faces, screen, beyond, kernels):
+def visible(clip, faces, screen, beyond):
     """Lab 9's Buffers of what is seen, or of what is seen beyond a depth (H, W)."""
     labs, size = tensors.labs, (screen.width, screen.height)
-    if beyond is not None:
-        face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
-    elif kernels:
-        face_index, depth = labs.compiled_pipeline.rasterize(clip, faces, *size)
-    else:
+    if beyond is None:
         return labs.pipeline.visible(clip, faces, *size)
-    barycentric = None if kernels else labs.interpolation.barycentrics(face_index, clip, faces)
+    face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
+    barycentric = labs.interpolation.barycentrics(face_index, clip, faces)
     return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
 
 
