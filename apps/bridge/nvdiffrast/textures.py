@@ -122,17 +122,21 @@ def kept_places(pixels, levels, sampler):
     now = [part.detach() for part in pixels if part is not None]
     kept_how, before, found = KEPT.get(pixels[0], (None, None, None))
     if kept_how != how or not all(map(torch.equal, before, now)):
-        found = [places(*each, sampler) for each in
+        is_compiled = tensors.kernels(*pixels)
+        found = [places(*each, sampler, is_compiled) for each in
                  zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
         KEPT[pixels[0]] = how, [part.clone() for part in now], found
     return found
 
 
-def places(levels, footprint, sampler):
+def places(levels, footprint, sampler, is_compiled):
     """The Places of a Footprint in a texture of these levels."""
     labs = tensors.labs
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
-    if sampler.boundary == "cube":
+    if sampler.boundary == "cube" and is_compiled and sampler.filter_mode != "nearest":
+        mipmap = labs.cube_maps.pack_cube(levels)
+        index, weight = labs.cube_kernels.look_ups(mipmap, footprint, sampler.filter_mode)
+    elif sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
         seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint,
                                                               sampler.filter_mode)
