@@ -1,6 +1,8 @@
 """Cube kernels: lab 6's cube maps as loops over pixels: which texels each of them sees.
 
-    a thread a band   taps    what `cube_maps.cube_look_ups` finds, of the linear filters
+    a thread a band   taps      what `cube_maps.cube_look_ups` finds, of the linear filters
+                      look_up   eq. (3) of texturing.py
+    one thread        look_up_backward
 
 The numbers are equations of cube_maps.py and mipmapping.py. A pixel that sees nothing has weights 0.
 """
@@ -95,17 +97,47 @@ def taps(look, levels, part, index, weight):
     """index, weight (N K,) of pixels in a part, K = 4 or 8. They are 0 to begin with."""
     top, width = len(levels.size) - 1, 8 if levels.blends else 4
     for n in range(*part):
-        x, y, z = look.directions[n, 0], look.directions[n, 1], look.directions[n, 2]
-        if max(abs(x), abs(y), abs(z)) <= SHORTEST:
+        x, y, z = (np.float64(look.directions[n, 0]), np.float64(look.directions[n, 1]),
+                   np.float64(look.directions[n, 2]))
+        if not SHORTEST < max(abs(x), abs(y), abs(z)) < np.inf or np.isnan(x + y + z):
             continue
         at = place_of(x, y, z)
-        level = min(max(level_at(look, n, at, levels.size[0]), 0.0), float(top)) if top else 0.0
+        level = level_at(look, n, at, levels.size[0]) if top else 0.0
+        level = min(level, float(top)) if level > 0 else 0.0  # also where it is no number
         low = int(level)
         share = level - low if levels.blends else 0.0
         for k in range(width // 4):
             level = min(low + k, top)
             write_taps(at, (levels.start[level], levels.size[level]), share if k else 1 - share,
                        width * n + 4 * k, index, weight)
+
+
+@kernel
+def look_up(texels, index, weight, part, colour):
+    """The colours (N, C) of pixels in a part."""
+    for n in range(*part):
+        for c in range(texels.shape[1]):
+            total = 0.0
+            for k in range(index.shape[1]):
+                total += weight[n, k] * texels[index[n, k], c]
+            colour[n, c] = total
+
+
+@kernel
+def look_up_backward(grad_colour, index, weight, grad_texels):
+    """Backward of `look_up`: adds to grad_texels (T, C)."""
+    for n in range(len(index)):
+        for k in range(index.shape[1]):
+            for c in range(grad_texels.shape[1]):
+                grad_texels[index[n, k], c] += weight[n, k] * grad_colour[n, c]
+
+
+def look_up_all(texels, index, weight):
+    """`look_up` of all pixels."""
+    colour = np.empty((len(index), texels.shape[1]), np.float32)
+    on_all_cores(lambda *part: look_up(texels, index, weight, part, colour),
+                 len(index), len(index))
+    return colour
 
 
 def look_ups(mipmap, footprint, filter_mode):

@@ -1,4 +1,5 @@
 """Textures and cube maps, filtered for the size of a pixel: texture."""
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -45,8 +46,9 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels = list(zip(*texels, strict=True))
     pixels = uv, uv_da, mip_level_bias
     sampler = tensors.labs.texturing.Sampler(mode, boundary_mode, None)
-    places = kept_places(pixels, levels, sampler)
-    return Texture.apply(tex, *pixels, Reading(levels, places, sampler, made is not None), *stack)
+    how = How(sampler, made is not None, tensors.kernels(tex, *pixels) is not None)
+    return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
+                         *stack)
 
 
 def filter_of(mode, has_level, max_level):
@@ -73,7 +75,12 @@ def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     require(max(height, width) == 1 or top == max_mip_level, f"this texture has no mip level "
             f"{top + 1}, as {height} x {width} cannot be halved: give it sides that are powers of "
             "two, or max_mip_level")
-    return MipStack([np.stack(level) for level in list(zip(*pyramids, strict=True))[1:]])
+    return MipStack([as_one(level) for level in list(zip(*pyramids, strict=True))[1:]])
+
+
+def as_one(pictures):
+    """np.stack, which would copy a single one."""
+    return np.stack(pictures) if len(pictures) > 1 else pictures[0][None]
 
 
 def pictures_of(tex, is_cube):
@@ -93,50 +100,61 @@ def require_halves(shapes, is_cube):
                 f"{sides[1]} texels, and else like tex; it has {shape}")
 
 
+class How(NamedTuple):
+    """How textures are read. is_made: whether the levels were made of the texture here."""
+
+    sampler: tuple
+    is_made: bool
+    is_compiled: bool
+
+
 class Places(NamedTuple):
-    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any."""
+    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any. Compiled,
+    seen is None and M is texels and weights on a cube, None on a plane.
+    """
 
     footprint: tuple
-    seen: np.ndarray
-    matrix: sparray
+    seen: np.ndarray | None
+    matrix: sparray | tuple | None
 
 
 class Reading(NamedTuple):
-    """For each texture its levels and the Places in it, and how they are read. is_made: whether
-    the levels were made of the texture here.
-    """
+    """For each texture its levels and the Places in it, and how they are read."""
 
     levels: list[tuple]
     places: list[Places]
-    sampler: tuple
-    is_made: bool
+    how: How
 
 
-def kept_places(pixels, levels, sampler):
+def kept_places(pixels, levels, how):
     """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
-    array("uv", pixels[0], f"n h w {3 if sampler.boundary == 'cube' else 2}")
-    how = (sampler, len(levels), [level.shape for level in levels[0]],
+    array("uv", pixels[0], f"n h w {3 if how.sampler.boundary == 'cube' else 2}")
+    key = (how, len(levels), [level.shape for level in levels[0]],
            [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
-    kept_how, before, found = KEPT.get(pixels[0], (None, None, None))
-    if kept_how != how or not all(map(torch.equal, before, now)):
-        is_compiled = tensors.kernels(*pixels)
-        found = [places(*each, sampler, is_compiled) for each in
-                 zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
-        KEPT[pixels[0]] = how, [part.clone() for part in now], found
+    kept_key, before, found = KEPT.get(pixels[0], (None, None, None))
+    if kept_key != key or not all(map(torch.equal, before, now)):
+        found = [places(*each, how) for each in
+                 zip(levels, footprints(*pixels, len(levels), how.sampler.boundary), strict=True)]
+        KEPT[pixels[0]] = key, [part.clone() for part in now], found
     return found
 
 
-def places(levels, footprint, sampler, is_compiled):
+def places(levels, footprint, how):
     """The Places of a Footprint in a texture of these levels."""
-    labs = tensors.labs
+    labs, sampler = tensors.labs, how.sampler
+    is_cube = sampler.boundary == "cube"
+    if how.is_compiled and is_cube and sampler.filter_mode != "nearest":
+        sizes = labs.cube_maps.pack_cube([level[..., :1] for level in levels])
+        return Places(footprint, None, labs.cube_kernels.look_ups(sizes, footprint,
+                                                                  sampler.filter_mode))
+    footprint = sound(footprint, sampler.boundary)
+    if how.is_compiled and how.is_made and not is_cube:
+        return Places(footprint, None, None)
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
-    if sampler.boundary == "cube" and is_compiled and sampler.filter_mode != "nearest":
-        mipmap = labs.cube_maps.pack_cube(levels)
-        index, weight = labs.cube_kernels.look_ups(mipmap, footprint, sampler.filter_mode)
-    elif sampler.boundary == "cube":
+    if is_cube:
         mipmap = labs.cube_maps.pack_cube(levels)
         seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint,
                                                               sampler.filter_mode)
@@ -150,33 +168,49 @@ class Texture(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx, tex, uv, uv_da, bias, reading, *stack):
-        labs, ctx.reading = tensors.labs, reading
+        ctx.reading = reading
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
-        texels = [labs.mipmapping.pack(levels).texels for levels in reading.levels]
-        colours = [arrays.masked_scatter(place.matrix @ each, place.seen)
-                   for each, place in zip(texels, reading.places, strict=True)]
-        found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
-        if reading.sampler.boundary in ("wrap", "zero"):
+        colours = [looked_up(*each, reading.how.sampler)
+                   for each in zip(reading.levels, reading.places, strict=True)]
+        found = tensor(as_one(colours), tex, (*uv.shape[:3], tex.shape[-1]))
+        if reading.how.sampler.boundary in ("wrap", "zero"):
             found[~uv.isfinite().all(-1)] = torch.nan
         return found
 
     @staticmethod
     def backward(ctx, grad):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
-        levels, places, sampler, is_made = ctx.reading
-        rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
+        levels, places, how = ctx.reading
+        rows = grad.detach().contiguous().numpy().reshape(len(tex), -1, tex.shape[-1])
         back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
-        grads = [back(*each, sampler) for each in zip(rows, levels, places, strict=True)]
+        grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
-        if is_made:  # what a level gets goes down to the texture
+        if how.is_made:  # what a level gets goes down to the texture
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))
         return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, *grad_stack
 
 
+def looked_up(levels, place, sampler):
+    """The colours (P, C) of pixels."""
+    labs = tensors.labs
+    if place.matrix is None:
+        return labs.texel_kernels.texture(levels[0], *place.footprint, sampler.filter_mode,
+                                          sampler.boundary, len(levels) - 1)
+    texels = labs.mipmapping.pack(levels).texels
+    if place.seen is None:
+        return labs.cube_kernels.look_up_all(texels, *place.matrix)
+    return arrays.masked_scatter(place.matrix @ texels, place.seen)
+
+
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
-    given = grad, levels, place.footprint
+    if place.matrix is None:
+        image, *pixels = tensors.labs.texel_kernels.texture_backward(
+            grad, levels[0], *place.footprint, sampler.filter_mode, sampler.boundary,
+            len(levels) - 1)
+        return (image,), *pixels
+    given = grad, levels, sound(place.footprint, sampler.boundary)
     if sampler.boundary == "cube":
         return tensors.labs.cube_maps.cube_filtered_backward(*given, sampler.filter_mode)
     return tensors.labs.mipmapping.filtered_backward(*given, sampler)
@@ -184,40 +218,49 @@ def whole_backward(grad, levels, place, sampler):
 
 def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
-    labs = tensors.labs.mipmapping
-    return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
+    if place.matrix is None:
+        return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
+    mipmap = tensors.labs.mipmapping.pack([level[..., :1] for level in levels])
+    if place.seen is None:
+        texels = np.zeros((sum(mipmap.width * mipmap.height), grad.shape[1]))
+        tensors.labs.cube_kernels.look_up_backward(grad, *place.matrix, texels)
+    else:
+        texels = place.matrix.T @ grad[place.seen]
+    return tensors.labs.mipmapping.unpack(texels, mipmap), None, None, None
 
 
 def stacked(grads, like):
     """Gradients of single pictures as one tensor, for what was given as a tensor."""
     if like is None or grads[0] is None:
         return None
-    return tensor(np.stack(grads), like)
+    return tensor(as_one(grads), like)
 
 
 def footprints(uv, uv_da, bias, count, boundary):
-    """Lab 6's Footprint of the pixels that see each of count textures.
-
-    A direction on a cube map that is not finite counts as 0, which sees nothing. Else, what is no
-    number counts as 0, and infinity as far.
-    """
+    """Lab 6's Footprint of the pixels that see each of count textures, as it is given."""
     axes = 3 if boundary == "cube" else 2
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
             f"pictures; it has {count}")
     n, height, width = uv.shape[:3]
     size = f"{n} {height} {width}"
     at = array("uv", uv, f"{size} {axes}").reshape(count, -1, axes)
-    change = uv_da if uv_da is None else np.nan_to_num(
-        array("uv_da", uv_da, f"{size} {2 * axes}")).reshape(count, -1, axes, 2)
-    bias = bias if bias is None else np.nan_to_num(
-        array("mip_level_bias", bias, size)).reshape(count, -1)
-    if axes == 2:
+    change = count * [None] if uv_da is None else array(
+        "uv_da", uv_da, f"{size} {2 * axes}").reshape(count, -1, axes, 2)
+    bias = count * [0.0] if bias is None else array("mip_level_bias", bias, size).reshape(count, -1)
+    return itertools.starmap(tensors.labs.texturing.Footprint, zip(at, change, bias, strict=True))
+
+
+def sound(footprint, boundary):
+    """A Footprint of numbers that lab 6 takes. A direction on a cube map that is not finite counts
+    as 0, which sees nothing. Else, what is no number counts as 0, and infinity as far.
+    """
+    at, change, bias = footprint
+    change, bias = change if change is None else np.nan_to_num(change), np.nan_to_num(bias)
+    if boundary != "cube":
         at = np.nan_to_num(at, posinf=1, neginf=0)
     elif not np.isfinite(at).all():
-        sound = np.isfinite(at).all(-1)
-        at = np.where(sound[..., None], at, 0)
-        change = change if change is None else np.where(sound[..., None, None], change, 0)
-    labs = tensors.labs.texturing
-    for k in range(count):
-        yield labs.require_footprint(labs.Footprint(
-            at[k], None if change is None else change[k], 0.0 if bias is None else bias[k]), axes)
+        is_sound = np.isfinite(at).all(-1)
+        at = np.where(is_sound[:, None], at, 0)
+        change = change if change is None else np.where(is_sound[:, None, None], change, 0)
+    return tensors.labs.texturing.require_footprint(footprint._replace(
+        uv=at, jacobian=change, bias=bias), at.shape[1])
