@@ -1,6 +1,9 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
+import functools
+
 import numpy as np
 import torch
+from torch.autograd.function import once_differentiable
 
 from course.given import compiled, whose
 
@@ -22,6 +25,17 @@ def kernels(*given):
     if is_single and labs.package == "reference" and compiled.is_installed():
         return labs.float_kernels
     return None
+
+
+def first_order(backward):
+    """A Function's backward pass, for numbers alone. PyTorch says so if it is differentiated."""
+    @once_differentiable
+    @functools.wraps(backward)
+    def of_numbers(ctx, *grads):
+        return backward(ctx, *(grad if grad is None else grad.detach().contiguous()
+                               for grad in grads))
+
+    return of_numbers
 
 
 def array(name, tensor, shape, types=FLOATS):

@@ -104,6 +104,7 @@ class Picture(torch.autograd.Function):
         return colour, tensor(np.where(is_seen, maps.depth, far), faces, is_seen.shape)
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_colour, grad_depth):
         faces, textures, colour = ctx.saved_tensors
         labs, maps, corners = tensors.labs, ctx.maps, faces.detach().numpy()

@@ -104,11 +104,12 @@ class Mix(torch.autograd.Function):
         return torch.from_numpy(out), torch.from_numpy(out_da)
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, *grads):
         attr, rast, rast_db = ctx.saved_tensors
         kernels, count = tensors.kernels(attr), len(ctx.given)
         upstream = [count * [np.empty(0, np.float32)] if grad is None
-                    else grad.detach().contiguous().numpy().reshape(count, -1) for grad in grads]
+                    else grad.numpy().reshape(count, -1) for grad in grads]
         grad_values = np.zeros((count, *ctx.given[0][1].values.shape))
         grad_pixels = np.zeros((2, count, rast.numel() // count), np.float32)
         for each in zip(*upstream, ctx.given, *grad_pixels, grad_values, strict=True):
@@ -140,6 +141,7 @@ class Interpolate(torch.autograd.Function):
                 else attr.new_empty(*size, 0))
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_out, grad_out_da):
         attr, rast, tri = ctx.saved_tensors
         faces = array("tri", tri, "f 3", INTEGERS)

@@ -70,9 +70,10 @@ class Antialias(torch.autograd.Function):
         return torch.from_numpy(out)
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad):
         color, pos = ctx.saved_tensors
-        given = (grad.detach().contiguous().numpy(), color.detach().numpy(), ctx.pairs,
+        given = (grad.numpy(), color.detach().numpy(), ctx.pairs,
                  vertices(pos, len(color)))
         back = (ctx.kernels or tensors.labs.antialiasing).blend_pairs_backward
         grads = (back(*each, EPSILON) for each in zip(*given, strict=True))

@@ -130,6 +130,7 @@ class Rasterize(torch.autograd.Function):
         return rast, rast_db
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_rast, grad_rast_db):
         pos, tri, _ = ctx.saved_tensors
         grad_rast_db = grad_rast_db if ctx.grad_db else None
@@ -138,7 +139,7 @@ class Rasterize(torch.autograd.Function):
             face_index = ctx.seen[n]
             if kernels:
                 back = (np.zeros((*face_index.shape, 4), np.float32) if grad is None
-                        else grad[n].detach().numpy() for grad in (grad_rast, grad_rast_db))
+                        else grad[n].numpy() for grad in (grad_rast, grad_rast_db))
                 grads.append(kernels.show_backward(*back, face_index, clip, faces, EPSILON))
                 continue
             grad_b = np.zeros((*face_index.shape, 3))

@@ -178,10 +178,11 @@ class Texture(torch.autograd.Function):
         return found
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
         levels, places, how = ctx.reading
-        rows = grad.detach().contiguous().numpy().reshape(len(tex), -1, tex.shape[-1])
+        rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
         back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
         grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
@@ -222,8 +223,8 @@ def texels_backward(grad, levels, place, sampler):
         return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
     mipmap = tensors.labs.mipmapping.pack([level[..., :1] for level in levels])
     if place.seen is None:
-        texels = np.zeros((sum(mipmap.width * mipmap.height), grad.shape[1]))
-        tensors.labs.cube_kernels.look_up_backward(grad, *place.matrix, texels)
+        texels = tensors.labs.cube_kernels.look_up_all_backward(
+            grad, *place.matrix, sum(mipmap.width * mipmap.height))
     else:
         texels = place.matrix.T @ grad[place.seen]
     return tensors.labs.mipmapping.unpack(texels, mipmap), None, None, None
