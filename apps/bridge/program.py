@@ -12,10 +12,12 @@ import runpy
 import sys
 import time
 import traceback
+import types
 from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
 import torch
+from torch.utils.weak import WeakTensorKeyDictionary
 
 from course.given import whose
 
@@ -25,9 +27,16 @@ INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own 
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
-           "get_device_name": platform.machine(),
-           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
+           "get_device_name": platform.machine(), "get_device_capability": (0, 0),
+           "get_device_properties": types.SimpleNamespace(
+               name=platform.machine(), major=0, minor=0, total_memory=1 << 34,
+               multi_processor_count=os.cpu_count()),
+           "mem_get_info": (1 << 33, 1 << 34), "memory_summary": "", "is_bf16_supported": True,
+           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None,
+           "memory_reserved": 0, "max_memory_reserved": 0, "ipc_collect": None}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
+WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
+ON_CARD = WeakTensorKeyDictionary()  # tensors that were moved, or made there
 
 
 def run(script, arguments, implementation=None, is_module=False):
@@ -74,8 +83,40 @@ def needs_named(script):
     except (AssertionError, OSError, RuntimeError) as error:
         if not WANTS_MORE.search(str(error)):
             raise
+        said = ("it compiles CUDA kernels of its own, which only a graphics card can run"
+                if WANTS_KERNELS.search(str(error)) else str(error).splitlines()[0])
         raise ValueError(f"{script} wants more of CUDA than that it means the processor: "
-                         f"{str(error).splitlines()[0]}") from error
+                         f"{said}") from error
+
+
+class Generator(torch.Generator):
+    """Random numbers, for whatever device."""
+
+    def __new__(cls, device="cpu"):
+        return super().__new__(cls, "cpu")
+
+
+class DataParallel(torch.nn.Module):
+    """A module on all devices, of which there is one."""
+
+    def __init__(self, module, *_, **__):
+        super().__init__()
+        self.module = module
+
+    def forward(self, *args, **kwargs):
+        return self.module(*args, **kwargs)
+
+
+class Stream(contextlib.nullcontext):
+    """An order of work. Here all is done in the program's own."""
+
+    def __init__(self, *_, **__):
+        super().__init__(self)
+
+    def wait_stream(self, *_):
+        """All that was asked for is done."""
+
+    synchronize = wait_event = record_event = wait_stream
 
 
 class Event:
@@ -99,16 +140,19 @@ def pretend():
     """PyTorch makes and moves tensors to the processor, whatever device it is told, and torch.cuda
     answers as if that were its one device.
     """
-    for name in dir(torch):
-        made = getattr(torch, name)
-        if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
-            setattr(torch, name, on_processor(made))
+    for module in torch, torch.fft:
+        for name in dir(module):
+            made = getattr(module, name)
+            if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
+                setattr(module, name, on_processor(made))
+    torch.scalar_tensor = on_processor(torch.scalar_tensor)
     for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
         setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
     torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
     torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
     torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
     torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
+    torch.Tensor.device = property(lambda _: torch.device("cpu", 0))  # whose index is a number
     torch.Tensor.is_cuda = property(lambda _: True)
     torch.Tensor.get_device = lambda _: 0
     load = torch.load
@@ -118,16 +162,26 @@ def pretend():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
-    torch.cuda.Event = Event
+    torch.cuda.Event, torch.cuda.Stream, torch.Generator = Event, Stream, Generator
+    torch.cuda.stream = torch.cuda.current_stream = torch.cuda.default_stream = Stream
+    torch.cuda.get_rng_state = lambda *_: torch.get_rng_state()
+    torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
+    torch.cuda.nvtx = types.SimpleNamespace(range=contextlib.nullcontext, **dict.fromkeys(
+        ("range_push", "range_pop", "mark"), lambda *_: None))
+    torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
+    torch.compile = lambda function=None, **_: function or (lambda function: function)
 
 
 def on_processor(function):
     """A function of PyTorch that makes tensors, on the processor."""
     @functools.wraps(function)
     def made(*args, **kwargs):
-        if is_cuda(kwargs.get("device")):
-            kwargs["device"] = "cpu"
-        return function(*args, **kwargs)
+        if not is_cuda(kwargs.get("device")):
+            return function(*args, **kwargs)
+        result = function(*args, **{**kwargs, "device": "cpu"})
+        if isinstance(result, torch.Tensor):
+            ON_CARD[result] = True
+        return result
 
     return made
 
@@ -136,7 +190,7 @@ def moved(tensor, to, *args, **kwargs):
     """Tensor.to, which takes a device first or by name.
 
     What is moved shares no memory with what stays, as between processor and graphics card. A leaf
-    stays the one that an optimizer knows.
+    that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
     device = kwargs.get("device", args[0] if args else None)
     if is_cuda(device):
@@ -145,8 +199,12 @@ def moved(tensor, to, *args, **kwargs):
     elif not isinstance(device, str | torch.device):
         return to(tensor, *args, **kwargs)
     made = to(tensor, *args, **kwargs)
-    is_known = is_cuda(device) and tensor.requires_grad
-    return made.clone() if made is tensor and not is_known else made
+    is_known = tensor in ON_CARD or isinstance(tensor, torch.nn.Parameter)
+    if made is tensor and not (is_cuda(device) and tensor.requires_grad and is_known):
+        made = made.clone()
+    if is_cuda(device):
+        ON_CARD[made] = True
+    return made
 
 
 def is_cuda(device):

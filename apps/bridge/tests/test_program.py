@@ -21,7 +21,9 @@ there.cpu().numpy()[:] = 5
 numbers[:] = 7
 assert (there == 1).all()
 known = torch.nn.Parameter(torch.cuda.FloatTensor([1, 2]))
-assert known.cuda() is known and torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
+assert known.cuda() is known and not torch.ones(3, requires_grad=True).cuda().is_leaf
+assert torch.zeros(2).cuda().requires_grad_().to(device).is_leaf
+assert torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
 start, end = torch.cuda.Event(enable_timing=True), torch.cuda.Event(enable_timing=True)
 start.record(), end.record(), torch.cuda.synchronize()
 assert start.elapsed_time(end) >= 0
@@ -31,6 +33,16 @@ for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, 
     assert torch.equal(torch.load("there.pt", map_location=place), there)
 with torch.cuda.device(there.get_device()):
     assert not isinstance(device, torch.cuda.device)
+assert "cuda:%d" % there.device.index == "cuda:0" and there.to(there.device).is_cuda
+torch.rand(2, generator=torch.Generator("cuda").manual_seed(1), device=device)
+assert torch.cuda.get_device_properties(0).total_memory >= torch.cuda.mem_get_info()[0] > 0
+with torch.cuda.stream(torch.cuda.Stream()) as stream, torch.random.fork_rng():
+    stream.wait_stream(torch.cuda.current_stream())
+    torch.cuda.nvtx.range_push("here"), torch.cuda.nvtx.range_pop()
+with torch.autocast("cuda", dtype=torch.bfloat16), torch.cuda.nvtx.range("there"):
+    apart = torch.compile(torch.nn.DataParallel(torch.nn.Linear(3, 2).cuda()), mode="max-autotune")
+    assert apart(torch.ones(1, 3, device="cuda")).shape == (1, 2) and apart.module.weight.is_leaf
+torch.fft.fftfreq(4, device=device), torch.scalar_tensor(1.0, device="cuda")
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
 tri = torch.tensor([[0, 1, 2]], dtype=torch.int32, device="cuda")
 context = dr.RasterizeGLContext(device=device)
@@ -78,7 +90,9 @@ def test_a_cuda_program_runs_on_the_processor(options, tmp_path):
 
 @pytest.mark.parametrize(("program", "said"), [
     ("import tinycudann", "program.py needs the package tinycudann, which is not installed"),
-    ("import torch; torch.cuda.Stream()", "program.py wants more of CUDA than that it means the")])
+    ("import torch; torch.cuda.CUDAGraph()", "program.py wants more of CUDA than that it means"),
+    ("from torch.utils.cpp_extension import CUDAExtension; CUDAExtension('own', [])",
+     "it compiles CUDA kernels of its own, which only a graphics card can run")])
 def test_what_a_program_lacks_is_one_sentence(program, said, tmp_path):
     """It ends in a traceback."""
     status, printed = run(tmp_path, program)
