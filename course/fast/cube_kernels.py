@@ -1,8 +1,6 @@
 """Cube kernels: lab 6's cube maps as loops over pixels: which texels each of them sees.
 
-    a thread a band   taps      what `cube_maps.cube_look_ups` finds, of the linear filters
-                      look_up   eq. (3) of texturing.py
-    one thread        look_up_backward, in the order of the pixels
+    a thread a band   taps    what `cube_maps.cube_look_ups` finds, of the linear filters
 
 The numbers are equations of cube_maps.py and mipmapping.py. Who sees nothing has weights 0.
 """
@@ -14,7 +12,6 @@ from course.given.compiled import kernel
 
 from .compiled_pipeline import on_all_cores
 from .cube_maps import FRAMES, SHORTEST
-from .texel_kernels import constant
 
 # Of N pixels: directions (N, 3), their changes (N or 0, 3, 2), and a bias (N,).
 Look = namedtuple("Look", "directions changes bias")
@@ -111,47 +108,6 @@ def taps(look, levels, part, index, weight):
             level = min(low + k, top)
             write_taps(at, (levels.start[level], levels.size[level]), share if k else 1 - share,
                        width * n + 4 * k, index, weight)
-
-
-@kernel
-def look_up(texels, index, weight, part, channels, colour):
-    """The colours (N C,) of pixels in a part, which are 0 to begin with. channels: C numbers."""
-    size, width = np.uintp(len(channels)), np.uintp(index.shape[1])
-    for n in range(np.uintp(part[0]), np.uintp(part[1])):
-        for k in range(width):
-            share, first = weight[n, k], np.uintp(index[n, k]) * size
-            if share != 0:
-                for c in range(size):
-                    colour[n * size + c] += share * texels[first + c]
-
-
-@kernel
-def look_up_backward(grad_colour, index, weight, channels, grad_texels):
-    """Backward of `look_up`: adds to grad_texels (T C,)."""
-    size, width = np.uintp(len(channels)), np.uintp(index.shape[1])
-    for n in range(np.uintp(len(index))):
-        for k in range(width):
-            share, first = weight[n, k], np.uintp(index[n, k]) * size
-            if share != 0:
-                for c in range(size):
-                    grad_texels[first + c] += share * grad_colour[n * size + c]
-
-
-def look_up_all(texels, index, weight):
-    """`look_up` of all pixels: texels (T, C) -> colour (N, C)."""
-    colour, channels = np.zeros((len(index), texels.shape[1]), np.float32), texels.shape[1]
-    on_all_cores(lambda *part: look_up(texels.reshape(-1), index, weight, part, constant(channels),
-                                       colour.reshape(-1)), len(index), len(index))
-    return colour
-
-
-def look_up_all_backward(grad_colour, index, weight, count):
-    """Backward of `look_up_all`: grad_colour (N, C) -> grad_texels (T, C) of T = count texels."""
-    channels = grad_colour.shape[1]
-    grad_texels = np.zeros((count, channels))
-    look_up_backward(grad_colour.reshape(-1), index, weight, constant(channels),
-                     grad_texels.reshape(-1))
-    return grad_texels
 
 
 def look_ups(mipmap, footprint, filter_mode):

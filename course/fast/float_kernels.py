@@ -2,7 +2,7 @@
 them: apps/bridge.
 
     show, show_backward       weights and their derivatives, by footprint_kernels
-    mix, mix_backward         (6) and (7) of interpolation.py
+    mix, mix_backward         (5) and (7) of interpolation.py
     blended_pairs, blend      what nvdiffrast blends, by pair_kernels; blend_pairs_backward
 
 rast (P, 4) has u, v, z / w and a face's code at each pixel, rast_db (P, 4) the derivatives of u and
@@ -25,12 +25,6 @@ CODE = 0x4A800000  # the float32 whose bits are this and the number
 
 # Flat: rast (4 P,), the same as int32, and rast_db (4 P,).
 Pixels = namedtuple("Pixels", "rast codes rast_db")
-
-# faces (F, 3), attributes (V, A) and the numbers (D,) of those whose derivatives are asked for.
-Attributes = namedtuple("Attributes", "faces values chosen")
-
-# The gradients of rast and rast_db (4 P,), and of the attributes (V, A).
-Grads = namedtuple("Grads", "rast rast_db values")
 
 
 @kernel
@@ -67,86 +61,27 @@ def read_rast(pixels, count, face_index, depth):
 
 
 @kernel
-def are_corners(mesh, face):
-    """Is it one of the faces, and are its corners vertices?"""
-    if face >= len(mesh.faces):
-        return False
-    a, b, c = mesh.faces[face, 0], mesh.faces[face, 1], mesh.faces[face, 2]
-    return min(a, b, c) >= 0 and max(a, b, c) < len(mesh.values)
-
-
-@kernel
-def mix(pixels, mesh, part, out, out_da):
-    """Pixels of a part: out (P A,), out_da (2 P D,) -> whether all see faces that are there."""
-    rast, _, rast_db = pixels
-    faces, values, chosen = mesh
-    size, count = values.shape[1], len(chosen)
-    for p in range(*part):
-        face = face_at(pixels, p)
-        if face < 0:
-            continue
-        if not are_corners(mesh, face):
-            return False
-        a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-        u, v = np.float64(rast[4 * p]), np.float64(rast[4 * p + 1])
-        for k in range(size):
-            out[p * size + k] = u * values[a, k] + v * values[b, k] + (1 - u - v) * values[c, k]
-        for n in range(count):
-            to_a = values[a, chosen[n]] - values[c, chosen[n]]
-            to_b = values[b, chosen[n]] - values[c, chosen[n]]
-            for axis in range(2):
-                out_da[2 * (p * count + n) + axis] = (rast_db[4 * p + axis] * to_a
-                                                      + rast_db[4 * p + 2 + axis] * to_b)
-    return True
-
-
-@kernel
-def mix_backward(grad_out, grad_da, pixels, mesh, part, grads):
-    """Backward of `mix`: grad_out (P A,), grad_da (2 P D,), either without numbers if there is
-    none; adds to grads.
+def mix(values, faces, look, part, out):
+    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before. look:
+    face_index (P,), weights (P, 3).
     """
+    face_index, weights = look
     for p in range(*part):
-        face = face_at(pixels, p)
-        if face >= 0:
-            corners = mesh.faces[face, 0], mesh.faces[face, 1], mesh.faces[face, 2]
-            if len(grad_out):
-                values_backward(grad_out, pixels, mesh, p, corners, grads)
-            if len(grad_da):
-                derivatives_backward(grad_da, pixels, mesh, p, corners, grads)
+        for c in range(values.shape[1] if face_index[p] >= 0 else 0):
+            for k in range(3):
+                out[p, c] += weights[p, k] * values[faces[face_index[p], k], c]
 
 
 @kernel
-def values_backward(grad_out, pixels, mesh, p, corners, grads):
-    """From the attributes at a pixel."""
-    a, b, c = corners
-    values, size = mesh.values, mesh.values.shape[1]
-    u, v = np.float64(pixels.rast[4 * p]), np.float64(pixels.rast[4 * p + 1])
-    grad_u, grad_v = 0.0, 0.0
-    for k in range(size):
-        grad = grad_out[p * size + k]
-        grad_u += grad * (values[a, k] - values[c, k])
-        grad_v += grad * (values[b, k] - values[c, k])
-        grads.values[a, k] += u * grad
-        grads.values[b, k] += v * grad
-        grads.values[c, k] += (1 - u - v) * grad
-    grads.rast[4 * p], grads.rast[4 * p + 1] = grad_u, grad_v
-
-
-@kernel
-def derivatives_backward(grad_da, pixels, mesh, p, corners, grads):
-    """From the derivatives at a pixel."""
-    a, b, c = corners
-    values, chosen, rast_db = mesh.values, mesh.chosen, pixels.rast_db
-    for n in range(len(chosen)):
-        k = chosen[n]
-        for axis in range(2):
-            grad = np.float64(grad_da[2 * (p * len(chosen) + n) + axis])
-            u, v = 4 * p + axis, 4 * p + 2 + axis
-            grads.values[a, k] += rast_db[u] * grad
-            grads.values[b, k] += rast_db[v] * grad
-            grads.values[c, k] -= (rast_db[u] + rast_db[v]) * grad
-            grads.rast_db[u] += grad * (values[a, k] - values[c, k])
-            grads.rast_db[v] += grad * (values[b, k] - values[c, k])
+def mix_backward(grad_out, values, faces, look, grad_values, grad_weights):
+    """Eq. (7): adds to grad_values (V, A), grad_weights (P, 3)."""
+    face_index, weights = look
+    for p in range(len(face_index)):
+        for k in range(3 if face_index[p] >= 0 else 0):
+            v = faces[face_index[p], k]
+            for c in range(values.shape[1]):
+                grad_values[v, c] += weights[p, k] * grad_out[p, c]
+                grad_weights[p, k] += grad_out[p, c] * values[v, c]
 
 
 @kernel
@@ -166,6 +101,13 @@ def flat(rast, rast_db=None):
 def exact(clip, faces):
     """clip and faces as kernels take them."""
     return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
+
+
+def sound(clip, faces):
+    """The same, if faces name only vertices that are there: otherwise ValueError."""
+    if not 0 <= faces.min() <= faces.max() < len(clip):
+        inputs.require_faces(faces, len(clip))
+    return exact(clip, faces)
 
 
 @functools.lru_cache(maxsize=16)
@@ -224,33 +166,31 @@ def show_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
     return grad_clip
 
 
-def interpolate(pixels, mesh, out, out_da):
-    """`mix` of all Pixels."""
-    count = len(pixels.rast) // 4
-    return all(on_all_cores(lambda *part: mix(pixels, mesh, part, out, out_da), count, count))
+def interpolate(attributes, faces, face_index, barycentric):
+    """Lab 5's `interpolate`."""
+    values, faces = sound(attributes, faces)
+    look = face_index.ravel(), barycentric.reshape(-1, 3)
+    out = np.zeros((face_index.size, values.shape[1]), np.float32)
+    on_all_cores(lambda *part: mix(values, faces, look, part, out), *2 * out.shape[:1])
+    return out.reshape(*face_index.shape, -1)
 
 
-def interpolate_backward(grad_out, grad_da, pixels, mesh, grads):
-    """`mix_backward` of all Pixels: adds to grads."""
-    count = len(pixels.rast) // 4
-
-    def band(*part):
-        own = grads._replace(values=np.zeros(grads.values.shape))
-        mix_backward(grad_out, grad_da, pixels, mesh, part, own)
-        return own.values
-
-    for values in each_band(band, parts(count, 1 + count // max(BAND, 8 * grads.values.size))):
-        grads.values[...] += values
+def interpolate_backward(grad_output, attributes, faces, face_index, barycentric):
+    """Lab 5's `interpolate_backward`."""
+    values, faces = sound(attributes, faces)
+    look = face_index.ravel(), barycentric.reshape(-1, 3)
+    grad_values, grad_weights = np.zeros(values.shape), np.zeros(barycentric.shape)
+    mix_backward(grad_output.reshape(-1, values.shape[1]), values, faces, look, grad_values,
+                 grad_weights.reshape(-1, 3))
+    return grad_values, grad_weights
 
 
 def blended_pairs(rast, clip, faces, opposite):
     """`outlines.blended_pairs` of rast (H, W, 4) -> Pairs. None: it sees other faces."""
-    clip, faces = exact(clip, faces)
+    clip, faces = sound(clip, faces)
     face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2])
     if not read_rast(flat(rast), len(faces), face_index.reshape(-1), depth.reshape(-1)):
         return None
-    if not 0 <= faces.min() <= faces.max() < len(clip):
-        inputs.require_faces(faces, len(clip))
     points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
     return compiled_pipeline.walked_pairs(face_index, depth, points, faces, opposite, False)
 

@@ -161,9 +161,11 @@ def neighbours(axis, screen, rows, pairs, n):
 
 
 @kernel
-def keep_outlines(screen, surface, pairs, begin, end):
+def keep_outlines(screen, surface, pairs, begin, end, walks):
     """Of the pairs begin <= n < end, those that are blended are written from begin on -> their end.
+    Unless it walks, only by the owner's face, as nvdiffrast has it.
     """
+    most = 1.0 if walks else np.inf
     points, faces, opposite = surface
     face_index, owners, others = screen.face_index, pairs.owner, pairs.other
     kept, width = begin, screen.width
@@ -172,8 +174,10 @@ def keep_outlines(screen, surface, pairs, begin, end):
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
         for _ in range(2 * len(faces)):
-            if -np.inf < at.c <= 1 and is_silhouette(points, faces, opposite, at):
+            if -np.inf < at.c <= most and is_silhouette(points, faces, opposite, at):
                 kept += put(pairs, kept, owner, other, at, surface, frame)
+                break
+            if not walks:
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
@@ -183,20 +187,6 @@ def keep_outlines(screen, surface, pairs, begin, end):
                 owner, other, is_back = other, owner, True
                 frame = frame_of(owner, other, width)
                 at = leave(points, faces, np.intp(face_index[owner]), frame)
-    return kept
-
-
-@kernel
-def keep_own(screen, surface, pairs, begin, end):
-    """The same by the owner's face alone, as nvdiffrast has it."""
-    points, faces, opposite = surface
-    kept = begin
-    for n in range(begin, end):
-        owner, other = pairs.owner[n], pairs.other[n]
-        frame = frame_of(owner, other, screen.width)
-        at = leave(points, faces, np.intp(screen.face_index[owner]), frame)
-        if at.c < 1 + WINDOW and is_silhouette(points, faces, opposite, at):
-            kept += put(pairs, kept, owner, other, at, surface, frame)
     return kept
 
 
@@ -211,7 +201,7 @@ def put(pairs, n, owner, other, at, surface, frame):
         end = in_frame(point(surface.points, vertex), frame)
         pairs.ends[k, n], pairs.x[k, n], pairs.y[k, n] = vertex, end.x, end.y
     is_steep = abs(pairs.y[1, n] - pairs.y[0, n]) >= abs(pairs.x[1, n] - pairs.x[0, n])
-    return at.c > -WINDOW and is_steep and not (at.c == 0.5 and owner < other)
+    return -WINDOW < at.c < 1 + WINDOW and is_steep and not (at.c == 0.5 and owner < other)
 
 
 @kernel
@@ -219,14 +209,9 @@ def find_pairs(screen, surface, rows, pairs, walks):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
     those with the one above -> how many there are of the first, and in all.
     """
-    count = beside = 0
-    for axis in range(2):
-        beside, end = count, neighbours(axis, screen, rows, pairs, count)
-        if walks:
-            count = keep_outlines(screen, surface, pairs, count, end)
-        else:
-            count = keep_own(screen, surface, pairs, count, end)
-    return beside, count
+    beside = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0), walks)
+    return beside, keep_outlines(screen, surface, pairs, beside,
+                                 neighbours(1, screen, rows, pairs, beside), walks)
 
 
 @kernel

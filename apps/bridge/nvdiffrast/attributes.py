@@ -20,9 +20,7 @@ def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
     chosen = chosen_of(diff_attrs, count)
     require(not len(chosen) or rast_db is not None, "diff_attrs needs rast_db, which rasterize() "
             "returned beside rast")
-    rast_db = rast_db if len(chosen) else None
-    by = Mix if tensors.kernels(attr, rast, rast_db) else Interpolate
-    return by.apply(attr, rast, tri, rast_db, chosen)
+    return Interpolate.apply(attr, rast, tri, rast_db if len(chosen) else None, chosen)
 
 
 def chosen_of(diff_attrs, count):
@@ -46,21 +44,14 @@ class Look(NamedTuple):
     weights: list[np.ndarray]
 
 
-def arrays_of(attr, rast):
-    """The attributes (1 or N, V, A) of one or all pictures of rast."""
-    values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
-    values = values.reshape(-1, *values.shape[-2:])
-    require(len(values) in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
-            f"pictures, as rast has; it has those of {len(values)}")
-    return values
-
-
 def looks(attr, rast, tri, rast_db):
     """A Look for each array of attributes. If there is only one, all pictures are one, one above
     the other.
     """
     faces = array("tri", tri, "f 3", INTEGERS)
     count, width = 1 if attr.ndim == 2 else len(attr), rast.shape[2]
+    require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
+            f"pictures, as rast has; it has those of {count}")
     pixels = array("rast", rast, "n h w 4").reshape(count, -1, width, 4)
     changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
         count, -1, width, 2, 2)
@@ -80,53 +71,17 @@ def corner_weights(uv, total):
     return weights
 
 
-class Mix(torch.autograd.Function):
-    """`Interpolate` by compiled loops."""
-
-    @staticmethod
-    def forward(ctx, attr, rast, tri, rast_db, chosen):
-        kernels, faces = tensors.kernels(attr), array("tri", tri, "f 3", INTEGERS)
-        values = arrays_of(attr, rast)
-        pixels = [[None] * len(values) if part is None else
-                  array(name, part, f"{len(rast)} h w 4").reshape(len(values), -1, 4)
-                  for name, part in (("rast", rast), ("rast_db", rast_db))]
-        ctx.given = [(kernels.flat(*each), kernels.Attributes(faces, value, chosen))
-                     for *each, value in zip(*pixels, values.astype(float), strict=True)]
-        out, out_da = (np.zeros((*rast.shape[:3], count), np.float32)
-                       for count in (values.shape[2], 2 * len(chosen)))
-        rows = (part.reshape(len(values), -1) for part in (out, out_da))
-        for given, *each in zip(ctx.given, *rows, strict=True):
-            if not kernels.interpolate(*given, *each):
-                faces_of(array("rast", rast, "n h w 4"), len(faces))
-                require(False, f"tri must name some of {values.shape[1]} vertices")
-        ctx.save_for_backward(attr, rast, rast_db)
-        ctx.set_materialize_grads(False)
-        return torch.from_numpy(out), torch.from_numpy(out_da)
-
-    @staticmethod
-    @tensors.first_order
-    def backward(ctx, *grads):
-        attr, rast, rast_db = ctx.saved_tensors
-        kernels, count = tensors.kernels(attr), len(ctx.given)
-        upstream = [count * [np.empty(0, np.float32)] if grad is None
-                    else grad.numpy().reshape(count, -1) for grad in grads]
-        grad_values = np.zeros((count, *ctx.given[0][1].values.shape))
-        grad_pixels = np.zeros((2, count, rast.numel() // count), np.float32)
-        for each in zip(*upstream, ctx.given, *grad_pixels, grad_values, strict=True):
-            kernels.interpolate_backward(*each[:2], *each[2], kernels.Grads(*each[3:]))
-        by_rast, by_db = (torch.from_numpy(part).reshape(rast.shape) for part in grad_pixels)
-        return (tensor(grad_values, attr), by_rast, None, None if rast_db is None else by_db, None)
-
-
 class Interpolate(torch.autograd.Function):
     """Lab 5: `interpolate` with each of a Look's weights, and `interpolate_backward`."""
 
     @staticmethod
     def forward(ctx, attr, rast, tri, rast_db, chosen):
-        values = arrays_of(attr, rast)
+        values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
+        values = values.reshape(-1, *values.shape[-2:])
         ctx.looks = list(looks(attr, rast, tri, rast_db))
         faces = array("tri", tri, "f 3", INTEGERS)
-        mix = tensors.labs.interpolation.interpolate
+        ctx.lab5 = tensors.kernels(attr) or tensors.labs.interpolation
+        mix = ctx.lab5.interpolate
         out = [mix(value, faces, look.face_index, look.weights[0])
                for look, value in zip(ctx.looks, values, strict=True)]
         out_da = [np.stack([mix(value[:, chosen], faces, look.face_index, weights)
@@ -149,7 +104,7 @@ class Interpolate(torch.autograd.Function):
         grad_weights = np.zeros((3, *np.shape([look.face_index for look in ctx.looks]), 3))
         for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
             for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
-                by_corner, grad_weights[n, k] = tensors.labs.interpolation.interpolate_backward(
+                by_corner, grad_weights[n, k] = ctx.lab5.interpolate_backward(
                     grads[k].reshape(*look.face_index.shape, -1), value[:, columns], faces,
                     look.face_index, look.weights[n])
                 np.add.at(grad_values[k], (slice(None), columns), by_corner)

@@ -109,13 +109,13 @@ class How(NamedTuple):
 
 
 class Places(NamedTuple):
-    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any. Compiled,
-    seen is None and M is texels and weights on a cube, None on a plane.
+    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any, to all
+    if seen is None. Without M, texel_kernels.py looks up.
     """
 
     footprint: tuple
     seen: np.ndarray | None
-    matrix: sparray | tuple | None
+    matrix: sparray | None
 
 
 class Reading(NamedTuple):
@@ -148,8 +148,8 @@ def places(levels, footprint, how):
     is_cube = sampler.boundary == "cube"
     if how.is_compiled and is_cube and sampler.filter_mode != "nearest":
         sizes = labs.cube_maps.pack_cube([level[..., :1] for level in levels])
-        return Places(footprint, None, labs.cube_kernels.look_ups(sizes, footprint,
-                                                                  sampler.filter_mode))
+        return Places(footprint, None, labs.texturing.look_up_matrix(
+            len(sizes.texels), *labs.cube_kernels.look_ups(sizes, footprint, sampler.filter_mode)))
     footprint = sound(footprint, sampler.boundary)
     if how.is_compiled and how.is_made and not is_cube:
         return Places(footprint, None, None)
@@ -198,10 +198,8 @@ def looked_up(levels, place, sampler):
     if place.matrix is None:
         return labs.texel_kernels.texture(levels[0], *place.footprint, sampler.filter_mode,
                                           sampler.boundary, len(levels) - 1)
-    texels = labs.mipmapping.pack(levels).texels
-    if place.seen is None:
-        return labs.cube_kernels.look_up_all(texels, *place.matrix)
-    return arrays.masked_scatter(place.matrix @ texels, place.seen)
+    found = place.matrix @ labs.mipmapping.pack(levels).texels
+    return found if place.seen is None else arrays.masked_scatter(found, place.seen)
 
 
 def whole_backward(grad, levels, place, sampler):
@@ -221,13 +219,9 @@ def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
     if place.matrix is None:
         return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
-    mipmap = tensors.labs.mipmapping.pack([level[..., :1] for level in levels])
-    if place.seen is None:
-        texels = tensors.labs.cube_kernels.look_up_all_backward(
-            grad, *place.matrix, sum(mipmap.width * mipmap.height))
-    else:
-        texels = place.matrix.T @ grad[place.seen]
-    return tensors.labs.mipmapping.unpack(texels, mipmap), None, None, None
+    labs = tensors.labs.mipmapping
+    rows = grad if place.seen is None else grad[place.seen]
+    return labs.unpack(place.matrix.T @ rows, labs.pack(levels)), None, None, None
 
 
 def stacked(grads, like):
