@@ -53,18 +53,13 @@ class Antialias(torch.autograd.Function):
         faces = array("tri", tri, "f 3", INTEGERS)
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
-        out, ctx.pairs, ctx.kernels = np.empty_like(colours), [], tensors.kernels(color, rast, pos)
+        out, ctx.pairs = np.empty_like(colours), []
+        ctx.lab8 = tensors.kernels(color, rast, pos) or tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
-            pairs = ctx.kernels and ctx.kernels.blended_pairs(seen[n], clip, faces, opposite)
-            if pairs:
-                ctx.pairs.append(pairs)
-                out[n] = ctx.kernels.blend(colours[n], pairs)
-                continue
             face_index = faces_of(seen[n], len(faces))
             depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
-            ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
-                                                                 opposite))
-            out[n] = tensors.labs.antialiasing.blend_pairs(colours[n], ctx.pairs[n])
+            ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
+            out[n] = ctx.lab8.blend_pairs(colours[n], ctx.pairs[n])
         ctx.save_for_backward(color, pos)
         ctx.boost = boost
         return torch.from_numpy(out)
@@ -73,10 +68,9 @@ class Antialias(torch.autograd.Function):
     @tensors.first_order
     def backward(ctx, grad):
         color, pos = ctx.saved_tensors
-        given = (grad.numpy(), color.detach().numpy(), ctx.pairs,
-                 vertices(pos, len(color)))
-        back = (ctx.kernels or tensors.labs.antialiasing).blend_pairs_backward
-        grads = (back(*each, EPSILON) for each in zip(*given, strict=True))
+        given = grad.numpy(), color.detach().numpy(), ctx.pairs, vertices(pos, len(color))
+        grads = (ctx.lab8.blend_pairs_backward(*each, EPSILON)
+                 for each in zip(*given, strict=True))
         grad_color, grad_clip = zip(*grads, strict=True)
         grad_pos = ctx.boost * (np.stack(grad_clip) if pos.ndim == 3 else sum(grad_clip))
         return tensor(np.stack(grad_color), color), None, tensor(grad_pos, pos), None, None, None
