@@ -32,8 +32,8 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
                name=platform.machine(), major=0, minor=0, total_memory=1 << 34,
                multi_processor_count=os.cpu_count()),
            "mem_get_info": (1 << 33, 1 << 34), "memory_summary": "", "is_bf16_supported": True,
-           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None,
-           "memory_reserved": 0, "max_memory_reserved": 0, "ipc_collect": None}
+           "ipc_collect": None, "reset_peak_memory_stats": None, **dict.fromkeys(
+               ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
 ON_CARD = WeakTensorKeyDictionary()  # tensors that were moved, or made there
@@ -107,16 +107,14 @@ class DataParallel(torch.nn.Module):
         return self.module(*args, **kwargs)
 
 
-class Stream(contextlib.nullcontext):
+def doing_nothing(*names):
+    """An object whose functions of these names do nothing."""
+    return types.SimpleNamespace(**dict.fromkeys(names, lambda *_, **__: None))
+
+
+def stream(*_, **__):
     """An order of work. Here all is done in the program's own."""
-
-    def __init__(self, *_, **__):
-        super().__init__(self)
-
-    def wait_stream(self, *_):
-        """All that was asked for is done."""
-
-    synchronize = wait_event = record_event = wait_stream
+    return doing_nothing("synchronize", "wait_stream", "wait_event", "record_event")
 
 
 class Event:
@@ -162,12 +160,12 @@ def pretend():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
-    torch.cuda.Event, torch.cuda.Stream, torch.Generator = Event, Stream, Generator
-    torch.cuda.stream = torch.cuda.current_stream = torch.cuda.default_stream = Stream
+    torch.cuda.Event, torch.Generator, torch.cuda.stream = Event, Generator, contextlib.nullcontext
+    torch.cuda.Stream = torch.cuda.current_stream = torch.cuda.default_stream = stream
     torch.cuda.get_rng_state = lambda *_: torch.get_rng_state()
     torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
-    torch.cuda.nvtx = types.SimpleNamespace(range=contextlib.nullcontext, **dict.fromkeys(
-        ("range_push", "range_pop", "mark"), lambda *_: None))
+    torch.cuda.nvtx = doing_nothing("range_push", "range_pop", "mark")
+    torch.cuda.nvtx.range = contextlib.nullcontext
     torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
     torch.compile = lambda function=None, **_: function or (lambda function: function)
 

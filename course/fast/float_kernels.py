@@ -56,14 +56,6 @@ def mix_backward(grad_out, values, faces, look, grad_values, grad_weights):
             grad_weights[p, 0], grad_weights[p, 1], grad_weights[p, 2] = sums
 
 
-@kernel
-def add_rows(values, index, sums):
-    """`scatter`: row index[n] of sums (P, C) gets the n-th C numbers of values."""
-    for n in range(len(index)):
-        for k in range(sums.shape[1]):
-            sums[index[n], k] += values[n * sums.shape[1] + k]
-
-
 def sound(clip, faces):
     """clip and faces as kernels take them. ValueError if faces name vertices that are not there."""
     if not 0 <= faces.min() <= faces.max() < len(clip):
@@ -161,5 +153,6 @@ def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
     grad_clip, grad_colour = np.zeros(clip.shape), grad_picture.copy()
     buffers = pipeline.Buffers(np.asarray(clip, float), None, None, None, colour, pairs)
     pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, grad_clip, epsilon)
-    add_rows(grads, pixels, grad_colour.reshape(-1, colour.shape[2]))
+    channels = colour.shape[2]
+    np.add.at(grad_colour.reshape(-1, channels), pixels, grads.reshape(-1, channels))
     return grad_colour, grad_clip

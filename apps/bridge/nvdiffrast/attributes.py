@@ -101,21 +101,18 @@ class Interpolate(torch.autograd.Function):
         attr, rast, tri = ctx.saved_tensors
         faces = array("tri", tri, "f 3", INTEGERS)
         grad_values = np.zeros(ctx.values.shape)
-        grad_weights = np.zeros((1 if grad_out_da is None else 3, *np.shape([look.face_index for look in ctx.looks]), 3))
+        kinds = 1 if grad_out_da is None else 3
+        grad_weights = np.zeros((kinds, *np.shape([look.face_index for look in ctx.looks]), 3))
         for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
             for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
                 by_corner, grad_weights[n, k] = ctx.lab5.interpolate_backward(
                     grads[k].reshape(*look.face_index.shape, -1), value[:, columns], faces,
                     look.face_index, look.weights[n])
-                if n == 0:
-                    grad_values[k] += by_corner
-                else:
-                    np.add.at(grad_values[k], (slice(None), columns), by_corner)
+                np.add.at(grad_values[k], (slice(None), columns), by_corner)
         grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
         grad_rast = torch.zeros_like(rast)
         grad_rast[..., :2] = tensor(grad_uv[0], rast, (*rast.shape[:3], 2))
-        needs_db = ctx.needs_input_grad[3] and grad_out_da is not None
-        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if needs_db else None
+        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if kinds == 3 else None
         return tensor(grad_values, attr), grad_rast, None, grad_rast_db, None
 
 

@@ -1,5 +1,4 @@
 """Textures and cube maps, filtered for the size of a pixel: texture."""
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -46,7 +45,8 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels = list(zip(*texels, strict=True))
     pixels = uv, uv_da, mip_level_bias
     sampler = tensors.labs.texturing.Sampler(mode, boundary_mode, None)
-    how = How(sampler, made is not None, tensors.kernels(tex, *pixels) is not None)
+    is_compiled = made is not None and not is_cube and tensors.kernels(tex, *pixels) is not None
+    how = How(sampler, made is not None, is_compiled)
     return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
                          *stack)
 
@@ -101,7 +101,9 @@ def require_halves(shapes, is_cube):
 
 
 class How(NamedTuple):
-    """How textures are read. is_made: whether the levels were made of the texture here."""
+    """How textures are read. is_made: whether the levels were made of the texture here; of a plane
+    with such levels compiled code may read.
+    """
 
     sampler: tuple
     is_made: bool
@@ -109,8 +111,8 @@ class How(NamedTuple):
 
 
 class Places(NamedTuple):
-    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any, to all
-    if seen is None. Without M, texel_kernels.py looks up.
+    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any. Without
+    it, texel_kernels.py looks up.
     """
 
     footprint: tuple
@@ -145,16 +147,10 @@ def kept_places(pixels, levels, how):
 def places(levels, footprint, how):
     """The Places of a Footprint in a texture of these levels."""
     labs, sampler = tensors.labs, how.sampler
-    is_cube = sampler.boundary == "cube"
-    if how.is_compiled and is_cube and sampler.filter_mode != "nearest":
-        sizes = labs.cube_maps.pack_cube([level[..., :1] for level in levels])
-        return Places(footprint, None, labs.texturing.look_up_matrix(
-            len(sizes.texels), *labs.cube_kernels.look_ups(sizes, footprint, sampler.filter_mode)))
-    footprint = sound(footprint, sampler.boundary)
-    if how.is_compiled and how.is_made and not is_cube:
+    if how.is_compiled:
         return Places(footprint, None, None)
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
-    if is_cube:
+    if sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
         seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint,
                                                               sampler.filter_mode)
@@ -199,7 +195,7 @@ def looked_up(levels, place, sampler):
         return labs.texel_kernels.texture(levels[0], *place.footprint, sampler.filter_mode,
                                           sampler.boundary, len(levels) - 1)
     found = place.matrix @ labs.mipmapping.pack(levels).texels
-    return found if place.seen is None else arrays.masked_scatter(found, place.seen)
+    return arrays.masked_scatter(found, place.seen)
 
 
 def whole_backward(grad, levels, place, sampler):
@@ -209,7 +205,7 @@ def whole_backward(grad, levels, place, sampler):
             grad, levels[0], *place.footprint, sampler.filter_mode, sampler.boundary,
             len(levels) - 1)
         return (image,), *pixels
-    given = grad, levels, sound(place.footprint, sampler.boundary)
+    given = grad, levels, place.footprint
     if sampler.boundary == "cube":
         return tensors.labs.cube_maps.cube_filtered_backward(*given, sampler.filter_mode)
     return tensors.labs.mipmapping.filtered_backward(*given, sampler)
@@ -220,8 +216,7 @@ def texels_backward(grad, levels, place, sampler):
     if place.matrix is None:
         return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
     labs = tensors.labs.mipmapping
-    rows = grad if place.seen is None else grad[place.seen]
-    return labs.unpack(place.matrix.T @ rows, labs.pack(levels)), None, None, None
+    return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
 
 
 def stacked(grads, like):
@@ -232,30 +227,28 @@ def stacked(grads, like):
 
 
 def footprints(uv, uv_da, bias, count, boundary):
-    """Lab 6's Footprint of the pixels that see each of count textures, as it is given."""
+    """Lab 6's Footprint of the pixels that see each of count textures.
+
+    A direction on a cube map that is not finite counts as 0, which sees nothing. Else, what is no
+    number counts as 0, and infinity as far.
+    """
     axes = 3 if boundary == "cube" else 2
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
             f"pictures; it has {count}")
     n, height, width = uv.shape[:3]
     size = f"{n} {height} {width}"
     at = array("uv", uv, f"{size} {axes}").reshape(count, -1, axes)
-    change = count * [None] if uv_da is None else array(
-        "uv_da", uv_da, f"{size} {2 * axes}").reshape(count, -1, axes, 2)
-    bias = count * [0.0] if bias is None else array("mip_level_bias", bias, size).reshape(count, -1)
-    return itertools.starmap(tensors.labs.texturing.Footprint, zip(at, change, bias, strict=True))
-
-
-def sound(footprint, boundary):
-    """A Footprint of numbers that lab 6 takes. A direction on a cube map that is not finite counts
-    as 0, which sees nothing. Else, what is no number counts as 0, and infinity as far.
-    """
-    at, change, bias = footprint
-    change, bias = change if change is None else np.nan_to_num(change), np.nan_to_num(bias)
-    if boundary != "cube":
+    change = uv_da if uv_da is None else np.nan_to_num(
+        array("uv_da", uv_da, f"{size} {2 * axes}")).reshape(count, -1, axes, 2)
+    bias = bias if bias is None else np.nan_to_num(
+        array("mip_level_bias", bias, size)).reshape(count, -1)
+    if axes == 2:
         at = np.nan_to_num(at, posinf=1, neginf=0)
     elif not np.isfinite(at).all():
-        is_sound = np.isfinite(at).all(-1)
-        at = np.where(is_sound[:, None], at, 0)
-        change = change if change is None else np.where(is_sound[:, None, None], change, 0)
-    return tensors.labs.texturing.require_footprint(footprint._replace(
-        uv=at, jacobian=change, bias=bias), at.shape[1])
+        sound = np.isfinite(at).all(-1)
+        at = np.where(sound[..., None], at, 0)
+        change = change if change is None else np.where(sound[..., None, None], change, 0)
+    labs = tensors.labs.texturing
+    for k in range(count):
+        yield labs.require_footprint(labs.Footprint(
+            at[k], None if change is None else change[k], 0.0 if bias is None else bias[k]), axes)
