@@ -58,16 +58,21 @@ def run(script, arguments, implementation=None, is_module=False):
     sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
     with whose.exercises_named(), needs_named(script):
         try:
-            if is_module:
-                runpy.run_module(script, run_name="__main__", alter_sys=True)
-            else:
-                runpy.run_path(str(path), run_name="__main__")
+            started(script, is_module)
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
             traceback.print_exc()
             return 1
     return 0
+
+
+def started(script, is_module):
+    """The program itself."""
+    if is_module:
+        runpy.run_module(script, run_name="__main__", alter_sys=True)
+    else:
+        runpy.run_path(str(Path(script).resolve()), run_name="__main__")
 
 
 @contextlib.contextmanager
@@ -138,12 +143,10 @@ def pretend():
     """PyTorch makes and moves tensors to the processor, whatever device it is told, and torch.cuda
     answers as if that were its one device.
     """
-    for module in torch, torch.fft:
-        for name in dir(module):
-            made = getattr(module, name)
-            if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
-                setattr(module, name, on_processor(made))
-    torch.scalar_tensor = on_processor(torch.scalar_tensor)
+    for name in dir(torch):
+        made = getattr(torch, name)
+        if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
+            setattr(torch, name, on_processor(made))
     for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
         setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
     torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
@@ -155,6 +158,13 @@ def pretend():
     torch.Tensor.get_device = lambda _: 0
     load = torch.load
     torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
+    torch.compile = lambda function=None, **_: function or (lambda function: function)
+    pretend_cuda()
+
+
+def pretend_cuda():
+    """torch.cuda answers."""
     torch.cuda.device = contextlib.nullcontext  # PyTorch asks whether something is one
     for name, answer in ANSWERS.items():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
@@ -166,8 +176,6 @@ def pretend():
     torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
     torch.cuda.nvtx = doing_nothing("range_push", "range_pop", "mark")
     torch.cuda.nvtx.range = contextlib.nullcontext
-    torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
-    torch.compile = lambda function=None, **_: function or (lambda function: function)
 
 
 def on_processor(function):

@@ -15,6 +15,6 @@ class WithPath(build_py):
         Path(self.build_lib, f"{folder}.pth").write_text(f"{folder}\n{folder}/found\n", "utf-8")
 
 
-elsewhere = tempfile.mkdtemp()  # nothing is left in the course's folder
-setup(cmdclass={"build_py": WithPath},
-      options={"build": {"build_base": elsewhere}, "egg_info": {"egg_base": elsewhere}})
+# Elsewhere, so that nothing is left in the course's folder:
+setup(cmdclass={"build_py": WithPath}, options={"build": {"build_base": tempfile.mkdtemp()},
+                                                "egg_info": {"egg_base": tempfile.mkdtemp()}})

@@ -1,6 +1,4 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
-import functools
-
 import numpy as np
 import torch
 from torch.autograd.function import once_differentiable
@@ -30,7 +28,6 @@ def kernels(*given):
 def first_order(backward):
     """A Function's backward pass, for numbers alone. PyTorch says so if it is differentiated."""
     @once_differentiable
-    @functools.wraps(backward)
     def of_numbers(ctx, *grads):
         return backward(ctx, *(grad if grad is None else grad.detach().contiguous()
                                for grad in grads))

@@ -1,15 +1,13 @@
 """Float kernels: what apps/bridge does with float32 numbers, there and back, as compiled loops.
 
-    visible, rasterize_backward       labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
+    seen_weights, rasterize_backward  labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
                                       third weight
-    interpolate, _backward            lab 5, by mix
+    interpolate, interpolate_backward lab 5, by mix_corners
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
     blend_pairs_backward
 
 Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
-import functools
-
 import numpy as np
 
 from course.given import inputs
@@ -27,7 +25,7 @@ def corners_of(faces, face):
 
 
 @kernel
-def mix(values, faces, look, part, out):
+def mix_corners(values, faces, look, part, out):
     """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before. look:
     face_index (P,), weights (P, 3).
     """
@@ -41,7 +39,7 @@ def mix(values, faces, look, part, out):
 
 
 @kernel
-def mix_backward(grad_out, values, faces, look, grad_values, grad_weights):
+def mix_corners_backward(grad_out, values, faces, look, grad_values, grad_weights):
     """Eq. (7): adds to grad_values (V, A), grad_weights (P, 3)."""
     face_index, weights = look
     for p in range(np.uintp(len(face_index))):
@@ -63,7 +61,6 @@ def sound(clip, faces):
     return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
 
 
-@functools.lru_cache(maxsize=16)
 def weights_as_uv(count, first, epsilon):
     """uv, uv_faces and epsilon of a Wrapped of so many faces, whose u and v are two of the corners'
     weights, from the first of these on.
@@ -78,7 +75,7 @@ def runs_of(face_index):
             for i, j in parts(len(runs.start), 1 + face_index.size // BAND)]
 
 
-def visible(clip, faces, width, height, beyond):
+def seen_weights(clip, faces, width, height, beyond):
     """face_index, depth (H, W), also of what lies beyond a depth (H, W), if that is one; u and v
     (H, W, 2), and their derivatives (H, W, 2, 2).
     """
@@ -120,7 +117,7 @@ def interpolate(attributes, faces, face_index, barycentric):
     values, faces = sound(attributes, faces)
     look = face_index.ravel(), barycentric.reshape(-1, 3)
     out = np.zeros((face_index.size, values.shape[1]), np.float32)
-    on_all_cores(lambda *part: mix(values, faces, look, part, out), *2 * out.shape[:1])
+    on_all_cores(lambda *part: mix_corners(values, faces, look, part, out), *2 * out.shape[:1])
     return out.reshape(*face_index.shape, -1)
 
 
@@ -129,8 +126,8 @@ def interpolate_backward(grad_output, attributes, faces, face_index, barycentric
     values, faces = sound(attributes, faces)
     look = face_index.ravel(), barycentric.reshape(-1, 3)
     grad_values, grad_weights = np.zeros(values.shape), np.zeros(barycentric.shape)
-    mix_backward(grad_output.reshape(-1, values.shape[1]), values, faces, look, grad_values,
-                 grad_weights.reshape(-1, 3))
+    mix_corners_backward(grad_output.reshape(-1, values.shape[1]), values, faces, look,
+                         grad_values, grad_weights.reshape(-1, 3))
     return grad_values, grad_weights
 
 

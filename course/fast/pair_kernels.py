@@ -173,11 +173,9 @@ def keep_outlines(screen, surface, pairs, begin, end, walks):
         owner, other, is_back = owners[n], others[n], False
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
-        for _ in range(2 * len(faces)):
+        for _ in range(2 * len(faces) if walks else 1):
             if -np.inf < at.c <= most and is_silhouette(points, faces, opposite, at):
                 kept += put(pairs, kept, owner, other, at, surface, frame)
-                break
-            if not walks:
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)

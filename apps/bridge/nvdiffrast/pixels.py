@@ -103,7 +103,7 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
-        ctx.seen, look = [], (tensors.kernels(pos) or sys.modules[__name__]).visible
+        ctx.seen, look = [], (tensors.kernels(pos) or sys.modules[__name__]).seen_weights
         for n, (clip, faces, first) in enumerate(batch):
             face_index, depth, weights, derivatives = look(
                 clip, faces, screen.width, screen.height, depths.get(n) if depths else None)
@@ -143,7 +143,7 @@ class Rasterize(torch.autograd.Function):
         return tensor(grad_pos, pos), None, None, None, None, None
 
 
-def visible(clip, faces, width, height, beyond):
+def seen_weights(clip, faces, width, height, beyond):
     """face_index, depth (H, W) of what is seen, or is seen beyond a depth (H, W); the weights
     (H, W, 3), and their derivatives (H, W, 3, 2).
     """

@@ -44,11 +44,15 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
     pixels = uv, uv_da, mip_level_bias
-    sampler = tensors.labs.texturing.Sampler(mode, boundary_mode, None)
-    is_compiled = made is not None and not is_cube and tensors.kernels(tex, *pixels) is not None
-    how = How(sampler, made is not None, is_compiled)
+    how = how_to_read(mode, boundary_mode, made is not None, (tex, *pixels))
     return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
                          *stack)
+
+
+def how_to_read(mode, boundary, is_made, given):
+    """How textures are read, of these tensors."""
+    is_compiled = is_made and boundary != "cube" and tensors.kernels(*given) is not None
+    return How(tensors.labs.texturing.Sampler(mode, boundary, None), is_made, is_compiled)
 
 
 def filter_of(mode, has_level, max_level):
@@ -75,12 +79,7 @@ def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     require(max(height, width) == 1 or top == max_mip_level, f"this texture has no mip level "
             f"{top + 1}, as {height} x {width} cannot be halved: give it sides that are powers of "
             "two, or max_mip_level")
-    return MipStack([as_one(level) for level in list(zip(*pyramids, strict=True))[1:]])
-
-
-def as_one(pictures):
-    """np.stack, which would copy a single one."""
-    return np.stack(pictures) if len(pictures) > 1 else pictures[0][None]
+    return MipStack([np.stack(level) for level in list(zip(*pyramids, strict=True))[1:]])
 
 
 def pictures_of(tex, is_cube):
@@ -168,7 +167,7 @@ class Texture(torch.autograd.Function):
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
         colours = [looked_up(*each, reading.how.sampler)
                    for each in zip(reading.levels, reading.places, strict=True)]
-        found = tensor(as_one(colours), tex, (*uv.shape[:3], tex.shape[-1]))
+        found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
         if reading.how.sampler.boundary in ("wrap", "zero"):
             found[~uv.isfinite().all(-1)] = torch.nan
         return found
@@ -223,7 +222,7 @@ def stacked(grads, like):
     """Gradients of single pictures as one tensor, for what was given as a tensor."""
     if like is None or grads[0] is None:
         return None
-    return tensor(as_one(grads), like)
+    return tensor(np.stack(grads), like)
 
 
 def footprints(uv, uv_da, bias, count, boundary):

@@ -36,9 +36,8 @@ assert "cuda:%d" % there.device.index == "cuda:0" and there.to(there.device).is_
 torch.rand(2, generator=torch.Generator("cuda").manual_seed(1), device=device)
 assert torch.cuda.get_device_properties(0).total_memory >= torch.cuda.mem_get_info()[0] > 0
 torch.cuda.nvtx.range_push("here"), torch.cuda.Stream().wait_stream(torch.cuda.current_stream())
-with torch.cuda.stream(torch.cuda.Stream()), torch.random.fork_rng(), torch.cuda.nvtx.range("here"):
-    torch.fft.fftfreq(4, device=device), torch.scalar_tensor(1.0, device="cuda")
-with torch.autocast("cuda", dtype=torch.bfloat16):
+with (torch.cuda.stream(torch.cuda.Stream()), torch.random.fork_rng(), torch.cuda.nvtx.range("a"),
+      torch.autocast("cuda", dtype=torch.bfloat16)):
     apart = torch.compile(torch.nn.DataParallel(torch.nn.Linear(3, 2).cuda()), mode="max-autotune")
     assert apart(torch.ones(1, 3, device="cuda")).shape == (1, 2) and apart.module.weight.is_leaf
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
