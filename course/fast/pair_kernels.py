@@ -165,10 +165,9 @@ def keep_outlines(screen, surface, pairs, begin, end, walks):
     """Of the pairs begin <= n < end, those that are blended are written from begin on -> their end.
     Unless it walks, only by the owner's face, as nvdiffrast has it.
     """
-    most = 1.0 if walks else np.inf
     points, faces, opposite = surface
     face_index, owners, others = screen.face_index, pairs.owner, pairs.other
-    kept, width = begin, screen.width
+    kept, width, most = begin, screen.width, 1.0 if walks else np.inf
     for n in range(begin, end):
         owner, other, is_back = owners[n], others[n], False
         frame = frame_of(owner, other, width)
