@@ -270,7 +270,8 @@ def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
         start, end, number = runs.start[run], runs.end[run], runs.number[run]
         X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
         unit = unit_of_corners(clip, a, b, c)
-        look = Look(run, number, end - start, X, Y, 2 / width, 2 / height, unit, epsilon * unit**2)
+        look = Look(run, number, end - start, X, Y, 2 / width, 2 / height, unit,
+                    epsilon * unit * unit)
         corners = (vector_from(clip, a, look), vector_from(clip, b, look),
                    vector_from(clip, c, look))
         places = places_of(uv, uv_faces, face)
