@@ -33,8 +33,7 @@ Vector = namedtuple("Vector", "x y w")
 # A number at each corner of a face.
 Three = namedtuple("Three", "a b c")
 
-# A run's record, its first pixel's number, how many they are, the place of the first in ndc, the
-# steps of X and Y to a neighbour, the unit of its corners, and epsilon in such units.
+# A run's record, its first pixel's number, how many, X, Y and steps in ndc; unit of its corners.
 Look = namedtuple("Look", "record number count X Y step_x step_y unit epsilon")
 
 
