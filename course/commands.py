@@ -57,12 +57,14 @@ def reconstruct(asked):
 @command(
     LOOK, "run SCRIPT.py [ARGS]",
     WORKS,
+    option("-m", action="store_true", dest="is_module",
+           help="SCRIPT.py is the name of a module, as in python -m"),
     option("script", metavar="SCRIPT.py", help="the program"),
     option("args", nargs=argparse.REMAINDER, metavar="ARGS", help="and its own arguments"))
 def run(asked):
     """Run a program that uses nvdiffrast or neural_renderer, unchanged."""
     from apps.bridge import program
-    return program.run(asked.script, asked.args, asked.impl)
+    return program.run(asked.script, asked.args, asked.impl, asked.is_module)
 
 
 @command(

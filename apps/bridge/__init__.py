@@ -4,4 +4,5 @@
     nvdiffrast        what `import nvdiffrast.torch` finds
     neural_renderer   what `import neural_renderer` finds
     program           somebody's program, run as it is
+    setup             a step of pip install apps/bridge
 """

@@ -1,11 +1,10 @@
-"""Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS.
+"""Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS, or run -m PACKAGE ARGS.
 
 In this process `import nvdiffrast.torch` and `import neural_renderer` find the interfaces of this
-room, and "cuda" means the processor.
+folder, and "cuda" means the processor.
 """
 import contextlib
 import functools
-import importlib
 import os
 import platform
 import re
@@ -13,43 +12,53 @@ import runpy
 import sys
 import time
 import traceback
+import types
 from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
 import torch
+from torch.utils.weak import WeakTensorKeyDictionary
 
 from course.given import whose
 
 from . import tensors
 
-ANSWERED = "nvdiffrast.torch", "neural_renderer"
+INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own names
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
-           "get_device_name": platform.machine(),
-           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
+           "get_device_name": platform.machine(), "get_device_capability": (0, 0),
+           "get_device_properties": types.SimpleNamespace(
+               name=platform.machine(), major=0, minor=0, total_memory=1 << 34,
+               multi_processor_count=os.cpu_count()),
+           "mem_get_info": (1 << 33, 1 << 34), "memory_summary": "", "is_bf16_supported": True,
+           "ipc_collect": None, "reset_peak_memory_stats": None, **dict.fromkeys(
+               ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
+WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
+ON_CARD = WeakTensorKeyDictionary()  # tensors that were moved, or made there
 
 
-def run(script, arguments, implementation=None):
-    """Run a program as `python SCRIPT ARGUMENTS` would, by the reference or by labs/.
+def run(script, arguments, implementation=None, is_module=False):
+    """Run a program as `python SCRIPT ARGUMENTS` would, or `python -m SCRIPT ARGUMENTS`, by the
+    reference or by labs/.
 
     ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
     Lacking: it needs an exercise that is not written.
     """
     path = Path(script).resolve()
-    if not path.is_file():
+    if not is_module and not path.is_file():
         raise ValueError(f"there is no program {script}; give the path of a .py file")
     tensors.labs = whose.Labs(implementation)
-    answer()
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
     pretend()
     sys.argv[:] = str(script), *arguments
-    sys.path[:] = str(path.parent), *sys.path[1:], sys.path[0]  # the course itself comes last
+    first = str(Path.cwd() if is_module else path.parent)
+    sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
     with whose.exercises_named(), needs_named(script):
         try:
-            runpy.run_path(str(path), run_name="__main__")
+            started(script, is_module)
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
@@ -58,14 +67,12 @@ def run(script, arguments, implementation=None):
     return 0
 
 
-def answer():
-    """Let each module of the interfaces be found under the name that programs import."""
-    here = f"{__package__}."
-    for name in ANSWERED:
-        importlib.import_module(here + name)
-    for name, module in list(sys.modules.items()):
-        if name.startswith(tuple(here + answered.partition(".")[0] for answered in ANSWERED)):
-            sys.modules[name.removeprefix(here)] = module
+def started(script, is_module):
+    """The program itself."""
+    if is_module:
+        runpy.run_module(script, run_name="__main__", alter_sys=True)
+    else:
+        runpy.run_path(str(Path(script).resolve()), run_name="__main__")
 
 
 @contextlib.contextmanager
@@ -81,8 +88,38 @@ def needs_named(script):
     except (AssertionError, OSError, RuntimeError) as error:
         if not WANTS_MORE.search(str(error)):
             raise
+        said = ("it compiles CUDA kernels of its own, which only a graphics card can run"
+                if WANTS_KERNELS.search(str(error)) else str(error).splitlines()[0])
         raise ValueError(f"{script} wants more of CUDA than that it means the processor: "
-                         f"{str(error).splitlines()[0]}") from error
+                         f"{said}") from error
+
+
+class Generator(torch.Generator):
+    """Random numbers, for whatever device."""
+
+    def __new__(cls, device="cpu"):
+        return super().__new__(cls, "cpu")
+
+
+class DataParallel(torch.nn.Module):
+    """A module on all devices, of which there is one."""
+
+    def __init__(self, module, *_, **__):
+        super().__init__()
+        self.module = module
+
+    def forward(self, *args, **kwargs):
+        return self.module(*args, **kwargs)
+
+
+def doing_nothing(*names):
+    """An object whose functions of these names do nothing."""
+    return types.SimpleNamespace(**dict.fromkeys(names, lambda *_, **__: None))
+
+
+def stream(*_, **__):
+    """An order of work. Here all is done in the program's own."""
+    return doing_nothing("synchronize", "wait_stream", "wait_event", "record_event")
 
 
 class Event:
@@ -116,25 +153,41 @@ def pretend():
     torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
     torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
     torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
+    torch.Tensor.device = property(lambda _: torch.device("cpu", 0))  # whose index is a number
     torch.Tensor.is_cuda = property(lambda _: True)
     torch.Tensor.get_device = lambda _: 0
     load = torch.load
     torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
+    torch.compile = lambda function=None, **_: function or (lambda function: function)
+    pretend_cuda()
+
+
+def pretend_cuda():
+    """torch.cuda answers."""
     torch.cuda.device = contextlib.nullcontext  # PyTorch asks whether something is one
     for name, answer in ANSWERS.items():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
-    torch.cuda.Event = Event
+    torch.cuda.Event, torch.Generator, torch.cuda.stream = Event, Generator, contextlib.nullcontext
+    torch.cuda.Stream = torch.cuda.current_stream = torch.cuda.default_stream = stream
+    torch.cuda.get_rng_state = lambda *_: torch.get_rng_state()
+    torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
+    torch.cuda.nvtx = doing_nothing("range_push", "range_pop", "mark")
+    torch.cuda.nvtx.range = contextlib.nullcontext
 
 
 def on_processor(function):
     """A function of PyTorch that makes tensors, on the processor."""
     @functools.wraps(function)
     def made(*args, **kwargs):
-        if is_cuda(kwargs.get("device")):
-            kwargs["device"] = "cpu"
-        return function(*args, **kwargs)
+        if not is_cuda(kwargs.get("device")):
+            return function(*args, **kwargs)
+        result = function(*args, **{**kwargs, "device": "cpu"})
+        if isinstance(result, torch.Tensor):
+            ON_CARD[result] = True
+        return result
 
     return made
 
@@ -143,7 +196,7 @@ def moved(tensor, to, *args, **kwargs):
     """Tensor.to, which takes a device first or by name.
 
     What is moved shares no memory with what stays, as between processor and graphics card. A leaf
-    stays the one that an optimizer knows.
+    that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
     device = kwargs.get("device", args[0] if args else None)
     if is_cuda(device):
@@ -152,8 +205,12 @@ def moved(tensor, to, *args, **kwargs):
     elif not isinstance(device, str | torch.device):
         return to(tensor, *args, **kwargs)
     made = to(tensor, *args, **kwargs)
-    is_known = is_cuda(device) and tensor.requires_grad
-    return made.clone() if made is tensor and not is_known else made
+    is_known = tensor in ON_CARD or isinstance(tensor, torch.nn.Parameter)
+    if made is tensor and not (is_cuda(device) and tensor.requires_grad and is_known):
+        made = made.clone()
+    if is_cuda(device):
+        ON_CARD[made] = True
+    return made
 
 
 def is_cuda(device):

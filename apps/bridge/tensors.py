@@ -1,8 +1,9 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
 import numpy as np
 import torch
+from torch.autograd.function import once_differentiable
 
-from course.given import whose
+from course.given import compiled, whose
 
 labs = whose.Labs()  # `program` says otherwise: python3 -m course run --impl labs
 FLOATS = torch.float32, torch.float64  # CUDA's kernels take the first alone
@@ -16,22 +17,44 @@ def require(holds, sentence):
         raise RuntimeError(sentence)
 
 
+def kernels(*given):
+    """The module of compiled operations on such tensors. None: NumPy does the work."""
+    is_single = all(each is None or each.dtype == torch.float32 for each in given)
+    if is_single and labs.package == "reference" and compiled.is_installed():
+        return labs.float_kernels
+    return None
+
+
+def first_order(backward):
+    """A Function's backward pass, for numbers alone. PyTorch says so if it is differentiated."""
+    @once_differentiable
+    def of_numbers(ctx, *grads):
+        return backward(ctx, *(grad if grad is None else grad.detach().contiguous()
+                               for grad in grads))
+
+    return of_numbers
+
+
 def array(name, tensor, shape, types=FLOATS):
     """A tensor's numbers as an array that shares its memory.
 
     shape: as "n h w 4", letters for lengths that are free. RuntimeError for what does not fit.
     """
-    require(isinstance(tensor, torch.Tensor), f"{name} must be a tensor, not {type(tensor)}")
-    require(tensor.device.type == "cpu", f"{name} is on {tensor.device}: this code works on the "
-            "processor, so give it tensors there, as .cpu() makes them")
-    require(tensor.dtype in types, f"{name} must be of {types[0]}, not {tensor.dtype}")
-    require(tensor.is_contiguous(), f"{name} must be contiguous: give {name}.contiguous()")
+    if not isinstance(tensor, torch.Tensor):
+        raise RuntimeError(f"{name} must be a tensor, not {type(tensor)}")
+    if not tensor.is_cpu:
+        raise RuntimeError(f"{name} is on {tensor.device}: this code works on the processor, so "
+                           "give it tensors there, as .cpu() makes them")
+    if tensor.dtype not in types:
+        raise RuntimeError(f"{name} must be of {types[0]}, not {tensor.dtype}")
+    if not tensor.is_contiguous():
+        raise RuntimeError(f"{name} must be contiguous: give {name}.contiguous()")
     lengths = shape.split()
-    fits = len(lengths) == tensor.ndim and all(
-        length == int(wanted) if wanted.isdigit() else length > 0
-        for length, wanted in zip(tensor.shape, lengths, strict=True))
-    require(fits, f"{name} must have the shape ({', '.join(lengths)}), nothing of it empty; it has "
-            f"{tuple(tensor.shape)}")
+    if len(lengths) != tensor.ndim or not all(
+            length == int(wanted) if wanted.isdigit() else length > 0
+            for length, wanted in zip(tensor.shape, lengths, strict=True)):
+        raise RuntimeError(f"{name} must have the shape ({', '.join(lengths)}), nothing of it "
+                           f"empty; it has {tuple(tensor.shape)}")
     return tensor.detach().numpy()
 
 

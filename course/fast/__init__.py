@@ -4,7 +4,7 @@ What stands here decides nothing that a module of reference does not, and is tri
 tests, and scanline against what a student wrote (course/given/faster.py). These modules are
 imported as those of course/complete are, `from reference import face_kernels`, and take what they
 need from the package that asks. Where numba is installed, pipeline.py and mipmapping.py are
-replaced by the last two, to the bit (course/given/compiled.py).
+replaced by compiled_pipeline and texel_kernels, to the bit (course/given/compiled.py).
 
     scanline           lab 2's rasterizer, whole rows at once, in NumPy
     sparse_weights     lab 5's interpolation as a product with one sparse matrix
@@ -15,4 +15,5 @@ replaced by the last two, to the bit (course/given/compiled.py).
     texel_kernels      lab 6's look-ups, there and back: `texture`
     footprint_kernels  where each pixel looks up a texture, there and back
     compiled_pipeline  lab 9: `draw` and `draw_backward`, by all of these
+    float_kernels      what apps/bridge does with float32 numbers, there and back
 """

@@ -160,8 +160,10 @@ def coloured(face_index, points, faces, colours, background):
     return weights.reshape(3, height, width).transpose(1, 2, 0), colour
 
 
-def all_pairs(face_index, depth, clip, points, faces, opposite):
-    """`intersections.all_pairs`, with the points of `screen_vertices`."""
+def all_pairs(face_index, depth, clip, points, faces, opposite, walks=True):
+    """`intersections.all_pairs`, with the points of `screen_vertices`. If nothing walks,
+    `outlines.blended_pairs`.
+    """
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
     surface = pair_kernels.Surface(points, faces, opposite)
@@ -169,7 +171,7 @@ def all_pairs(face_index, depth, clip, points, faces, opposite):
     def band(*rows):
         room = 2 * (rows[1] - rows[0]) * width
         pairs, through = room_for_pairs(room), np.empty((3, room), np.intp)
-        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs, through)
+        beside, count = pair_kernels.find_pairs(screen, surface, rows, pairs, through, walks)
         found = *(part[..., :count[0]].copy() for part in pairs), through[:, :count[1]].copy()
         return found, [beside[0]] * len(pairs) + [beside[1]]
 
@@ -275,9 +277,10 @@ def through_texture(grad_picture, buffers, faces, material):
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, faces, grad_clip):
+def pairs_backward(grad_picture, buffers, faces, grad_clip, epsilon=0.0):
     """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
-    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
+    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each. epsilon: of
+    `crossing_backward`.
     """
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
@@ -286,7 +289,7 @@ def pairs_backward(grad_picture, buffers, faces, grad_clip):
     grad_points, grad_pixels = np.zeros(points.shape), np.empty((len(pairs.c), 2, channels))
     are_there = pair_kernels.blend_backward(
         grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), points,
-        (width, height), grad_points, grad_pixels)
+        pair_kernels.Sides(width, height, epsilon), grad_points, grad_pixels)
     if not are_there:
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")

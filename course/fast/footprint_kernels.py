@@ -23,8 +23,8 @@ Runs = namedtuple("Runs", "start end number")
 # A flat one: the face that each pixel sees (H W,), -1 for none, and how wide it is.
 Picture = namedtuple("Picture", "face_index width")
 
-# vertices x, y, w on screen (V, 3) or in clip space (V, 4), faces, uv_faces (F, 3), uv (T, 2).
-Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces")
+# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F, 3), uv (T, 2), epsilon of (8) there.
+Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces epsilon")
 
 # Of a face: x, y and w on screen, or q_k of rasterizer_gradients.py. Or a normal n_k, whose w is
 # its e; or a gradient of these.
@@ -33,9 +33,8 @@ Vector = namedtuple("Vector", "x y w")
 # A number at each corner of a face.
 Three = namedtuple("Three", "a b c")
 
-# A run's record, the number of its first pixel, how many they are, the place of the first in ndc,
-# the steps of X and Y to a neighbour, and the unit of its corners.
-Look = namedtuple("Look", "record number count X Y step_x step_y unit")
+# A run's record, its first pixel's number, how many, X, Y and steps in ndc; unit of its corners.
+Look = namedtuple("Look", "record number count X Y step_x step_y unit epsilon")
 
 
 @kernel
@@ -118,7 +117,7 @@ def footprints_along(runs, picture, mesh, at, footprint):
     face, or a face has a vertex, that is not there.
     """
     face_index, width = picture
-    screen, faces, uv, uv_faces = mesh
+    screen, faces, uv, uv_faces, _ = mesh
     starts, ends, numbers = runs
     for run in range(len(starts)):
         face = face_index[starts[run]]
@@ -193,7 +192,7 @@ def sums_along(weighted, whole, look, axis, grad_at, grad_footprint):
     for i in range(np.uintp(look.count)):
         t = np.int32(i) * look.step_x
         s = whole.w + t * whole.x
-        r = 0.0 if s == 0 else 1 / s
+        r = 0.0 if s == 0 else 1 / (s + np.copysign(look.epsilon, s))
         u = (weighted.w + t * weighted.x) * r
         k = np.uintp(2) * (np.uintp(look.number) + i) + np.uintp(axis)
         g_x = r * look.step_x * grad_footprint[k + k]
@@ -263,14 +262,15 @@ def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
     """
     face_index, width = picture
     height = len(face_index) // max(width, 1)
-    clip, faces, uv, uv_faces = mesh
+    clip, faces, uv, uv_faces, epsilon = mesh
     for run in range(len(runs.start)):
         face = face_index[runs.start[run]]
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
         start, end, number = runs.start[run], runs.end[run], runs.number[run]
         X, Y = (2 * (start % width) + 1) / width - 1, (2 * (start // width) + 1) / height - 1
-        look = Look(run, number, end - start, X, Y, 2 / width, 2 / height,
-                    unit_of_corners(clip, a, b, c))
+        unit = unit_of_corners(clip, a, b, c)
+        look = Look(run, number, end - start, X, Y, 2 / width, 2 / height, unit,
+                    epsilon * unit * unit)
         corners = (vector_from(clip, a, look), vector_from(clip, b, look),
                    vector_from(clip, c, look))
         places = places_of(uv, uv_faces, face)
@@ -280,7 +280,7 @@ def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
 @kernel
 def add_to_corners(runs, face_index, mesh, records, grad_clip, grad_uv):
     """Runs of `run_gradients` -> grad_clip (V, 4), grad_uv (T, 2)."""
-    _, faces, _, uv_faces = mesh
+    _, faces, _, uv_faces, _ = mesh
     to_corners, to_uv = records
     for run in range(len(runs.start)):
         face = face_index[runs.start[run]]
@@ -313,7 +313,7 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
     count = np.count_nonzero(face_index >= 0)
     at, footprint = np.empty((count, 2)), np.empty((count, 2, 2))
     screen = np.stack(rasterization.screen_points(clip, width, height), -1)
-    mesh = Wrapped(screen, faces, uv, uv_faces)
+    mesh = Wrapped(screen, faces, uv, uv_faces, 0.0)
 
     def band(runs):
         return footprints_along(runs, flat(face_index), mesh, at.reshape(-1),
@@ -337,7 +337,7 @@ def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv
     grad_clip (V, 4).
     """
     picture = flat(face_index)
-    mesh = Wrapped(clip, faces, uv, uv_faces)
+    mesh = Wrapped(clip, faces, uv, uv_faces, 0.0)
     grad_clip, grad_uv = np.zeros(clip.shape), np.zeros(uv.shape)
 
     def band(runs):

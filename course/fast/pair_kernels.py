@@ -35,6 +35,9 @@ Crossing = namedtuple("Crossing", "face edge c")
 # From a pair's owner to its other pixel, and the picture's sides.
 Step = namedtuple("Step", "dx dy width height")
 
+# Of a picture; and the epsilon of `crossing_backward`.
+Sides = namedtuple("Sides", "width height epsilon")
+
 
 @kernel
 def point(points, v):
@@ -158,19 +161,20 @@ def neighbours(axis, screen, rows, pairs, n):
 
 
 @kernel
-def keep_outlines(screen, surface, pairs, begin, end, through, met):
+def keep_outlines(screen, surface, pairs, begin, end, through, met, walks):
     """Of the pairs begin <= n < end, those that are blended are written from begin on. owner, other
     and face of second walks that pass the other's centre are written to through, from met on
-    -> the ends of both.
+    -> the ends of both. Unless it walks, only by the owner's face, as nvdiffrast has it.
     """
     points, faces, opposite = surface
     face_index, width, kept = screen.face_index, screen.width, begin
+    most = 1.0 if walks else np.inf
     for n in range(begin, end):
         owner, other, is_back = pairs.owner[n], pairs.other[n], False
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
-        for _ in range(2 * len(faces)):
-            if -np.inf < at.c <= 1 and is_silhouette(points, faces, opposite, at):
+        for _ in range(2 * len(faces) if walks else 1):
+            if -np.inf < at.c <= most and is_silhouette(points, faces, opposite, at):
                 kept += put(pairs, kept, owner, other, at, surface, frame)
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
@@ -196,7 +200,7 @@ def put(pairs, n, owner, other, at, surface, frame):
         end = in_frame(point(surface.points, vertex), frame)
         pairs.ends[k, n], pairs.x[k, n], pairs.y[k, n] = vertex, end.x, end.y
     is_steep = abs(pairs.y[1, n] - pairs.y[0, n]) >= abs(pairs.x[1, n] - pairs.x[0, n])
-    return at.c > -WINDOW and is_steep and not (at.c == 0.5 and owner < other)
+    return -WINDOW < at.c < 1 + WINDOW and is_steep and not (at.c == 0.5 and owner < other)
 
 
 @kernel
@@ -207,14 +211,14 @@ def put_through(through, n, owner, other, at):
 
 
 @kernel
-def find_pairs(screen, surface, rows, pairs, through):
+def find_pairs(screen, surface, rows, pairs, through, walks):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
     those with the one above -> how many there are of the first, and in all; and of `through`.
     """
     beside, met = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0),
-                                through, 0)
+                                through, 0, walks)
     end = neighbours(1, screen, rows, pairs, beside)
-    return (beside, met), keep_outlines(screen, surface, pairs, beside, end, through, met)
+    return (beside, met), keep_outlines(screen, surface, pairs, beside, end, through, met, walks)
 
 
 @kernel
@@ -267,18 +271,17 @@ def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip
     """Backward of `blend`: adds those of edges to grad_clip (V, 4), and finds what the pixels
     get beside grad_picture: grad_pixels (N, 2, C), owner and other -> whether all are there.
     """
-    width, height = sides
     if not are_whole(pairs):
         return False
     for n in range(len(pairs.c)):
-        if not is_there(pairs, n, width * height, len(clip)):
+        if not is_there(pairs, n, sides.width * sides.height, len(clip)):
             return False
         owner, other = pairs.owner[n], pairs.other[n]
         grad_alpha = alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels)
         if 0 < pairs.c[n] < 1:
-            step = Step(other % width - owner % width, other // width - owner // width,
-                        width, height)
-            ends_backward(grad_alpha, pairs, n, step, clip, grad_clip)
+            step = Step(other % sides.width - owner % sides.width,
+                        other // sides.width - owner // sides.width, sides.width, sides.height)
+            ends_backward(grad_alpha, pairs, n, step, clip, sides.epsilon, grad_clip)
     return True
 
 
@@ -299,10 +302,10 @@ def alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels):
 
 
 @kernel
-def ends_backward(grad_alpha, pairs, n, step, clip, grad_clip):
+def ends_backward(grad_alpha, pairs, n, step, clip, epsilon, grad_clip):
     """The way back from alpha = 1/2 - c to both ends of a pair's edge."""
     x0, x1, y0, y1 = pairs.x[0, n], pairs.x[1, n], pairs.y[0, n], pairs.y[1, n]
-    r = 1 / (y1 - y0)
+    r = 1 / (y1 - y0 + np.copysign(epsilon, y1 - y0))
     c = (x0 * y1 - x1 * y0) * r
     slope = -grad_alpha * r
     end_backward((slope * y1, slope * (c - x1)), step, clip, pairs.ends[0, n], grad_clip)

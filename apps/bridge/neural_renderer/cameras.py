@@ -8,7 +8,7 @@ import math
 import torch
 from torch.nn.functional import normalize
 
-from ..tensors import require
+from apps.bridge.tensors import require
 
 SHORTEST = 1e-5  # vectors as short as this are not made longer
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import torch
 
+from apps.bridge import tensors
+from apps.bridge.tensors import array, require
 from course.given import image, inputs
 from labkit import places
 
-from .. import tensors
-from ..tensors import array, require
 from .rasterize import with_pairs
 
 INTEGERS = torch.int32, torch.int64

@@ -7,8 +7,8 @@ import numpy as np
 import torch
 from torch.nn.functional import avg_pool2d
 
-from .. import tensors
-from ..tensors import array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import array, require, tensor
 
 
 def rasterize_rgbad(faces, textures=None, image_size=256, anti_aliasing=True, near=0.1, far=100,
@@ -104,6 +104,7 @@ class Picture(torch.autograd.Function):
         return colour, tensor(np.where(is_seen, maps.depth, far), faces, is_seen.shape)
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_colour, grad_depth):
         faces, textures, colour = ctx.saved_tensors
         labs, maps, corners = tensors.labs, ctx.maps, faces.detach().numpy()

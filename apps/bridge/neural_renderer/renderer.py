@@ -4,7 +4,8 @@ import math
 import torch
 from torch.nn.functional import normalize
 
-from ..tensors import require
+from apps.bridge.tensors import require
+
 from . import cameras
 from .rasterize import rasterize_depth, rasterize_rgbad, rasterize_silhouettes
 

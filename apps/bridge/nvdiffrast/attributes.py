@@ -4,8 +4,9 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
+
 from .pixels import faces_of
 
 
@@ -79,7 +80,8 @@ class Interpolate(torch.autograd.Function):
         values = values.reshape(-1, *values.shape[-2:])
         ctx.looks = list(looks(attr, rast, tri, rast_db))
         faces = array("tri", tri, "f 3", INTEGERS)
-        mix = tensors.labs.interpolation.interpolate
+        ctx.lab5 = tensors.kernels(attr) or tensors.labs.interpolation
+        mix = ctx.lab5.interpolate
         out = [mix(value, faces, look.face_index, look.weights[0])
                for look, value in zip(ctx.looks, values, strict=True)]
         out_da = [np.stack([mix(value[:, chosen], faces, look.face_index, weights)
@@ -94,21 +96,23 @@ class Interpolate(torch.autograd.Function):
                 else attr.new_empty(*size, 0))
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_out, grad_out_da):
         attr, rast, tri = ctx.saved_tensors
         faces = array("tri", tri, "f 3", INTEGERS)
         grad_values = np.zeros(ctx.values.shape)
-        grad_weights = np.zeros((3, *np.shape([look.face_index for look in ctx.looks]), 3))
+        kinds = 1 if grad_out_da is None else 3
+        grad_weights = np.zeros((kinds, *np.shape([look.face_index for look in ctx.looks]), 3))
         for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
             for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
-                by_corner, grad_weights[n, k] = tensors.labs.interpolation.interpolate_backward(
+                by_corner, grad_weights[n, k] = ctx.lab5.interpolate_backward(
                     grads[k].reshape(*look.face_index.shape, -1), value[:, columns], faces,
                     look.face_index, look.weights[n])
                 np.add.at(grad_values[k], (slice(None), columns), by_corner)
         grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
         grad_rast = torch.zeros_like(rast)
         grad_rast[..., :2] = tensor(grad_uv[0], rast, (*rast.shape[:3], 2))
-        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if ctx.needs_input_grad[3] else None
+        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if kinds == 3 else None
         return tensor(grad_values, attr), grad_rast, None, grad_rast_db, None
 
 

@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
+
 from .pixels import faces_of
 
 EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
@@ -53,21 +54,22 @@ class Antialias(torch.autograd.Function):
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = np.empty_like(colours), []
+        ctx.lab8 = tensors.kernels(color, rast, pos) or tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
             face_index = faces_of(seen[n], len(faces))
             depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
-            ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
-                                                                 opposite))
-            out[n] = tensors.labs.antialiasing.blend_pairs(colours[n], ctx.pairs[n])
+            ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
+            out[n] = ctx.lab8.blend_pairs(colours[n], ctx.pairs[n])
         ctx.save_for_backward(color, pos)
         ctx.boost = boost
         return torch.from_numpy(out)
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad):
         color, pos = ctx.saved_tensors
         given = grad.numpy(), color.detach().numpy(), ctx.pairs, vertices(pos, len(color))
-        grads = (tensors.labs.antialiasing.blend_pairs_backward(*each, EPSILON)
+        grads = (ctx.lab8.blend_pairs_backward(*each, EPSILON)
                  for each in zip(*given, strict=True))
         grad_color, grad_clip = zip(*grads, strict=True)
         grad_pos = ctx.boost * (np.stack(grad_clip) if pos.ndim == 3 else sum(grad_clip))

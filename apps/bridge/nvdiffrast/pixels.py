@@ -1,11 +1,12 @@
 """What each pixel sees: rasterize, layer by layer if need be."""
 import operator
+import sys
 
 import numpy as np
 import torch
 
-from .. import tensors
-from ..tensors import INTEGERS, array, require, tensor
+from apps.bridge import tensors
+from apps.bridge.tensors import INTEGERS, array, require, tensor
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
@@ -102,17 +103,18 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
+        ctx.seen, look = [], (tensors.kernels(pos) or sys.modules[__name__]).seen_weights
         for n, (clip, faces, first) in enumerate(batch):
-            seen = visible(clip, faces, screen, depths.get(n) if depths else None)
-            is_seen = seen.face_index >= 0
-            rast[n, ..., :2] = seen.barycentric[..., :2]
-            rast[n, ..., 2][is_seen] = seen.depth[is_seen]
-            rast[n, ..., 3][is_seen] = coded(seen.face_index[is_seen] + (first + 1), rast.dtype)
-            derivatives = tensors.labs.interpolation.barycentrics_derivatives(
-                seen.face_index, seen.clip, faces)
+            face_index, depth, weights, derivatives = look(
+                clip, faces, screen.width, screen.height, depths.get(n) if depths else None)
+            is_seen = face_index >= 0
+            rast[n, ..., :2] = weights[..., :2]
+            np.copyto(rast[n, ..., 2], depth, "same_kind", where=is_seen)
+            rast[n, ..., 3] = coded(np.where(is_seen, face_index + (first + 1), 0), rast.dtype)
             rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
+            ctx.seen.append(face_index)
             if depths is not None:
-                depths[n] = seen.depth
+                depths[n] = depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
         ctx.save_for_backward(pos, tri, rast)
         ctx.ranges, ctx.grad_db = ranges, grad_db
@@ -120,39 +122,45 @@ class Rasterize(torch.autograd.Function):
         return rast, rast_db
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad_rast, grad_rast_db):
-        pos, tri, rast = ctx.saved_tensors
+        pos, tri, _ = ctx.saved_tensors
         grad_rast_db = grad_rast_db if ctx.grad_db else None
-        grads = []
-        for n, (clip, faces, first) in enumerate(pictures(pos, tri, ctx.ranges)):
-            face_index = faces_of(rast[n].numpy(), len(tri)) - first
-            grad_b = np.zeros((*face_index.shape, 3))
+        grads, kernels = [], tensors.kernels(pos)
+        corners = 2 if kernels else 3
+        for n, (clip, faces, _) in enumerate(pictures(pos, tri, ctx.ranges)):
+            face_index = ctx.seen[n]
+            grad_b = np.zeros((*face_index.shape, corners))
             if grad_rast is not None:
                 grad_b[..., :2] = grad_rast[n, ..., :2]
-            grad_derivatives = None
+            grad_derivatives = np.zeros((*face_index.shape, 2, 2)) if kernels else None
             if grad_rast_db is not None:
-                grad_derivatives = np.zeros((*face_index.shape, 3, 2))
+                grad_derivatives = np.zeros((*face_index.shape, corners, 2))
                 grad_derivatives[..., :2, :] = grad_rast_db[n].reshape(*face_index.shape, 2, 2)
-            grads.append(tensors.labs.rasterizer_gradients.rasterize_backward(
+            grads.append((kernels or tensors.labs.rasterizer_gradients).rasterize_backward(
                 grad_b, grad_derivatives, None, face_index, clip, faces, EPSILON))
         grad_pos = np.stack(grads) if pos.ndim == 3 else sum(grads)
         return tensor(grad_pos, pos), None, None, None, None, None
 
 
-def visible(clip, faces, screen, beyond):
-    """Lab 9's Buffers of what is seen, or of what is seen beyond a depth (H, W)."""
-    labs, size = tensors.labs, (screen.width, screen.height)
+def seen_weights(clip, faces, width, height, beyond):
+    """face_index, depth (H, W) of what is seen, or is seen beyond a depth (H, W); the weights
+    (H, W, 3), and their derivatives (H, W, 3, 2).
+    """
+    lab5 = tensors.labs.interpolation
     if beyond is None:
-        return labs.pipeline.visible(clip, faces, *size)
-    face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
-    barycentric = labs.interpolation.barycentrics(face_index, clip, faces)
-    return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
+        clip, face_index, depth, weights, *_ = tensors.labs.pipeline.visible(clip, faces, width,
+                                                                             height)
+    else:
+        face_index, depth = tensors.labs.scanline.rasterize(clip, faces, width, height, beyond)
+        weights = lab5.barycentrics(face_index, clip, faces)
+    return face_index, depth, weights, lab5.barycentrics_derivatives(face_index, clip, faces)
 
 
 def coded(numbers, dtype):
     """Whole numbers from 0 on as floats of this dtype, each as another one: see CODE."""
     floats = numbers.astype(dtype)
-    if dtype == np.float32:
+    if dtype == np.float32 and numbers.max() > EXACT:
         return np.where(numbers <= EXACT, floats, (numbers + CODE).astype(np.int32).view(dtype))
     return floats
 
@@ -160,9 +168,9 @@ def coded(numbers, dtype):
 def faces_of(rast, count):
     """The face, of so many, that each pixel of an array rast (..., 4) sees, -1 for none."""
     numbers = np.ascontiguousarray(rast[..., 3])
-    if rast.dtype == np.float32:
+    if rast.dtype == np.float32 and not numbers.max() <= EXACT:
         numbers = np.where(numbers <= EXACT, numbers, numbers.view(np.int32) - float(CODE))
-    face_index = numbers.astype(int) - 1
-    require((face_index < count).all(), f"rast sees face {face_index.max(initial=-1)}, and tri has "
+    face_index = numbers.astype(np.int32) - np.int32(1)
+    require(face_index.max() < count, f"rast sees face {face_index.max(initial=-1)}, and tri has "
             f"{count}: give the faces that rast was made of")
     return face_index

@@ -6,10 +6,9 @@ import torch
 from scipy.sparse import sparray
 from torch.utils.weak import WeakTensorKeyDictionary
 
+from apps.bridge import tensors
+from apps.bridge.tensors import array, require, tensor
 from course.given import arrays
-
-from .. import tensors
-from ..tensors import array, require, tensor
 
 KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
 
@@ -45,9 +44,15 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
     pixels = uv, uv_da, mip_level_bias
-    sampler = tensors.labs.texturing.Sampler(mode, boundary_mode, None)
-    places = kept_places(pixels, levels, sampler)
-    return Texture.apply(tex, *pixels, Reading(levels, places, sampler, made is not None), *stack)
+    how = how_to_read(mode, boundary_mode, made is not None, (tex, *pixels))
+    return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
+                         *stack)
+
+
+def how_to_read(mode, boundary, is_made, given):
+    """How textures are read, of these tensors."""
+    is_compiled = is_made and boundary != "cube" and tensors.kernels(*given) is not None
+    return How(tensors.labs.texturing.Sampler(mode, boundary, None), is_made, is_compiled)
 
 
 def filter_of(mode, has_level, max_level):
@@ -94,44 +99,55 @@ def require_halves(shapes, is_cube):
                 f"{sides[1]} texels, and else like tex; it has {shape}")
 
 
+class How(NamedTuple):
+    """How textures are read. is_made: whether the levels were made of the texture here; of a plane
+    with such levels compiled code may read.
+    """
+
+    sampler: tuple
+    is_made: bool
+    is_compiled: bool
+
+
 class Places(NamedTuple):
-    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any."""
+    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any. Without
+    it, texel_kernels.py looks up.
+    """
 
     footprint: tuple
-    seen: np.ndarray
-    matrix: sparray
+    seen: np.ndarray | None
+    matrix: sparray | None
 
 
 class Reading(NamedTuple):
-    """For each texture its levels and the Places in it, and how they are read. is_made: whether
-    the levels were made of the texture here.
-    """
+    """For each texture its levels and the Places in it, and how they are read."""
 
     levels: list[tuple]
     places: list[Places]
-    sampler: tuple
-    is_made: bool
+    how: How
 
 
-def kept_places(pixels, levels, sampler):
+def kept_places(pixels, levels, how):
     """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
-    array("uv", pixels[0], f"n h w {3 if sampler.boundary == 'cube' else 2}")
-    how = (sampler, len(levels), [level.shape for level in levels[0]],
+    array("uv", pixels[0], f"n h w {3 if how.sampler.boundary == 'cube' else 2}")
+    key = (how, len(levels), [level.shape for level in levels[0]],
            [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
-    kept_how, before, found = KEPT.get(pixels[0], (None, None, None))
-    if kept_how != how or not all(map(torch.equal, before, now)):
-        found = [places(*each, sampler) for each in
-                 zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
-        KEPT[pixels[0]] = how, [part.clone() for part in now], found
+    kept_key, before, found = KEPT.get(pixels[0], (None, None, None))
+    if kept_key != key or not all(map(torch.equal, before, now)):
+        found = [places(*each, how) for each in
+                 zip(levels, footprints(*pixels, len(levels), how.sampler.boundary), strict=True)]
+        KEPT[pixels[0]] = key, [part.clone() for part in now], found
     return found
 
 
-def places(levels, footprint, sampler):
+def places(levels, footprint, how):
     """The Places of a Footprint in a texture of these levels."""
-    labs = tensors.labs
+    labs, sampler = tensors.labs, how.sampler
+    if how.is_compiled:
+        return Places(footprint, None, None)
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
@@ -147,32 +163,47 @@ class Texture(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx, tex, uv, uv_da, bias, reading, *stack):
-        labs, ctx.reading = tensors.labs, reading
+        ctx.reading = reading
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
-        texels = [labs.mipmapping.pack(levels).texels for levels in reading.levels]
-        colours = [arrays.masked_scatter(place.matrix @ each, place.seen)
-                   for each, place in zip(texels, reading.places, strict=True)]
+        colours = [looked_up(*each, reading.how.sampler)
+                   for each in zip(reading.levels, reading.places, strict=True)]
         found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
-        if reading.sampler.boundary in ("wrap", "zero"):
+        if reading.how.sampler.boundary in ("wrap", "zero"):
             found[~uv.isfinite().all(-1)] = torch.nan
         return found
 
     @staticmethod
+    @tensors.first_order
     def backward(ctx, grad):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
-        levels, places, sampler, is_made = ctx.reading
+        levels, places, how = ctx.reading
         rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
         back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
-        grads = [back(*each, sampler) for each in zip(rows, levels, places, strict=True)]
+        grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
-        if is_made:  # what a level gets goes down to the texture
+        if how.is_made:  # what a level gets goes down to the texture
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))
         return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, *grad_stack
 
 
+def looked_up(levels, place, sampler):
+    """The colours (P, C) of pixels."""
+    labs = tensors.labs
+    if place.matrix is None:
+        return labs.texel_kernels.texture(levels[0], *place.footprint, sampler.filter_mode,
+                                          sampler.boundary, len(levels) - 1)
+    found = place.matrix @ labs.mipmapping.pack(levels).texels
+    return arrays.masked_scatter(found, place.seen)
+
+
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
+    if place.matrix is None:
+        image, *pixels = tensors.labs.texel_kernels.texture_backward(
+            grad, levels[0], *place.footprint, sampler.filter_mode, sampler.boundary,
+            len(levels) - 1)
+        return (image,), *pixels
     given = grad, levels, place.footprint
     if sampler.boundary == "cube":
         return tensors.labs.cube_maps.cube_filtered_backward(*given, sampler.filter_mode)
@@ -181,6 +212,8 @@ def whole_backward(grad, levels, place, sampler):
 
 def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
+    if place.matrix is None:
+        return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
     labs = tensors.labs.mipmapping
     return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
 

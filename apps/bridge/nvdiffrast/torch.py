@@ -1,4 +1,6 @@
-"""What `import nvdiffrast.torch as dr` finds."""
+"""What `import nvdiffrast.torch as dr` finds, and nvdiffrast.torch.ops."""
+import sys
+
 from .attributes import interpolate
 from .outlines import antialias, antialias_construct_topology_hash
 from .pixels import DepthPeeler, RasterizeCudaContext, RasterizeGLContext, rasterize
@@ -8,6 +10,7 @@ __all__ = ["DepthPeeler", "RasterizeCudaContext", "RasterizeGLContext", "antiali
            "antialias_construct_topology_hash", "get_log_level", "interpolate", "rasterize",
            "set_log_level", "texture", "texture_construct_mip"]
 LEVEL = [1]
+ops = sys.modules[f"{__name__}.ops"] = sys.modules[__name__]  # a file of nvdiffrast's own
 
 
 def get_log_level():

@@ -307,6 +307,18 @@ def test_places_are_kept_beside_uv_and_not_in_it(tmp_path):
     assert not torch.equal(dr.texture(tex, uv), colour)
 
 
+def test_the_first_derivative_may_have_a_graph():
+    """create_graph=True ends in PyTorch's words about numpy(), or a second derivative is 0."""
+    pos, tri, size = made_scene(torch.float32)
+    rast, rast_db = dr.rasterize(CONTEXT, pos, tri, size)
+    out, out_da = dr.interpolate(pos[..., :2].contiguous(), rast, tri, rast_db, "all")
+    colour = dr.antialias(dr.texture(torch.rand(1, 4, 4, 3), out, out_da), rast, pos, tri)
+    grad, = torch.autograd.grad((colour**2).sum(), pos, create_graph=True)
+    assert grad.any()
+    with pytest.raises(RuntimeError, match="once_differentiable"):
+        grad.sum().backward()
+
+
 def test_an_odd_texture_has_no_levels():
     """The pyramid ends early and nobody is told."""
     uv = torch.zeros(1, 2, 2, 2)

@@ -1,4 +1,4 @@
-"""Programs as they are: python3 -m course run, in a process of its own."""
+"""Programs as they are, in a process of their own: python3 -m course run, or all installed."""
 import shutil
 import subprocess
 import sys
@@ -20,7 +20,9 @@ there.cpu().numpy()[:] = 5
 numbers[:] = 7
 assert (there == 1).all()
 known = torch.nn.Parameter(torch.cuda.FloatTensor([1, 2]))
-assert known.cuda() is known and torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
+assert known.cuda() is known and not torch.ones(3, requires_grad=True).cuda().is_leaf
+assert torch.zeros(2).cuda().requires_grad_().to(device).is_leaf
+assert torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
 start, end = torch.cuda.Event(enable_timing=True), torch.cuda.Event(enable_timing=True)
 start.record(), end.record(), torch.cuda.synchronize()
 assert start.elapsed_time(end) >= 0
@@ -30,6 +32,14 @@ for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, 
     assert torch.equal(torch.load("there.pt", map_location=place), there)
 with torch.cuda.device(there.get_device()):
     assert not isinstance(device, torch.cuda.device)
+assert "cuda:%d" % there.device.index == "cuda:0" and there.to(there.device).is_cuda
+torch.rand(2, generator=torch.Generator("cuda").manual_seed(1), device=device)
+assert torch.cuda.get_device_properties(0).total_memory >= torch.cuda.mem_get_info()[0] > 0
+torch.cuda.nvtx.range_push("here"), torch.cuda.Stream().wait_stream(torch.cuda.current_stream())
+with (torch.cuda.stream(torch.cuda.Stream()), torch.random.fork_rng(), torch.cuda.nvtx.range("a"),
+      torch.autocast("cuda", dtype=torch.bfloat16)):
+    apart = torch.compile(torch.nn.DataParallel(torch.nn.Linear(3, 2).cuda()), mode="max-autotune")
+    assert apart(torch.ones(1, 3, device="cuda")).shape == (1, 2) and apart.module.weight.is_leaf
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
 tri = torch.tensor([[0, 1, 2]], dtype=torch.int32, device="cuda")
 context = dr.RasterizeGLContext(device=device)
@@ -37,27 +47,44 @@ rast, _ = dr.rasterize(context, clip, tri, (4, 6))
 print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
 sys.exit(3)
 '''
+INSTALLED = '''
+import multiprocessing, site, sys
+site.addsitedir(sys.argv[1])  # as Python does with the folder that pip installs into
+def made(_):
+    import nvdiffrast.torch.ops as dr, torch
+    if hasattr(dr, "DepthPeeler"):
+        from neural_renderer.load_obj import load_obj
+        pos = torch.tensor([[[-1.0, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1]]])
+        tri = torch.tensor([[0, 1, 2]], dtype=torch.int32)
+        return int(dr.rasterize(dr.RasterizeCudaContext(), pos, tri, (4, 6))[0][..., 3].sum())
+if __name__ == "__main__":
+    print(made(0), multiprocessing.get_context("spawn").Pool(1).map(made, [0]))
+'''
 
 
 def run(folder, program, *options):
     """Run a program in a folder -> its exit status, and what it printed."""
     (folder / "program.py").write_text(program)
     (folder / "beside.py").write_text("NUMBER = 42")
-    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, "program.py",
+    name = "program" if "-m" in options else "program.py"
+    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, name,
                            "--impl", "its own"], cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
-def test_a_cuda_program_runs_on_the_processor(tmp_path):
+@pytest.mark.parametrize("options", [(), ("-m",)])
+def test_a_cuda_program_runs_on_the_processor(options, tmp_path):
     """It needs a character changed, or what it moved to the card changes with what stayed."""
-    status, said = run(tmp_path, WHOLE)
-    assert (status, "program.py', '--impl', 'its own'] 42 12" in said) == (3, True), said
+    status, said = run(tmp_path, WHOLE, *options)
+    assert (status, "', '--impl', 'its own'] 42 12" in said) == (3, True), said
     assert "cuda means the processor here, and reference/ does the work" in said
 
 
 @pytest.mark.parametrize(("program", "said"), [
     ("import tinycudann", "program.py needs the package tinycudann, which is not installed"),
-    ("import torch; torch.cuda.Stream()", "program.py wants more of CUDA than that it means the")])
+    ("import torch; torch.cuda.CUDAGraph()", "program.py wants more of CUDA than that it means"),
+    ("from torch.utils.cpp_extension import CUDAExtension; CUDAExtension('own', [])",
+     "it compiles CUDA kernels of its own, which only a graphics card can run")])
 def test_what_a_program_lacks_is_one_sentence(program, said, tmp_path):
     """It ends in a traceback."""
     status, printed = run(tmp_path, program)
@@ -87,3 +114,20 @@ def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
     (tmp_path / "labs" / "transforms.py").write_text(text)
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
     assert status == 2 and said in printed and "Traceback" not in printed
+
+
+def test_installed_it_is_found_without_the_course_but_after_a_real_one(tmp_path):
+    """A module is missing in the package, a spawned worker does not find it, or it hides the real
+    nvdiffrast.
+    """
+    pytest.importorskip("setuptools", minversion="77", reason="the package's build needs it")
+    site = tmp_path / "site"
+    install = sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation"
+    subprocess.run([*install, "--target", site, ROOT / "apps" / "bridge"], check=True)
+    (tmp_path / "use.py").write_text(INSTALLED)
+    use = sys.executable, "use.py", site
+    assert subprocess.check_output(use, cwd=tmp_path, text=True).strip() == "12 [12]"
+    (site / "nvdiffrast" / "torch").mkdir(parents=True)
+    for file in "__init__", "torch/__init__", "torch/ops":
+        (site / "nvdiffrast" / f"{file}.py").touch()
+    assert subprocess.check_output(use, cwd=tmp_path, text=True).strip() == "None [None]"
