@@ -135,7 +135,8 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     """`outlines.blended_pairs`."""
     clip, faces = sound(clip, faces)
     points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
-    return compiled_pipeline.all_pairs(face_index, depth, clip, points, faces, opposite, False)
+    return compiled_pipeline.all_pairs(face_index, depth, clip, points, faces, opposite,
+                                       walks=False)
 
 
 def blend_pairs(colour, pairs):
@@ -149,7 +150,8 @@ def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
     """`antialiasing.blend_pairs_backward`."""
     grad_clip, grad_colour = np.zeros(clip.shape), grad_picture.copy()
     buffers = pipeline.Buffers(np.asarray(clip, float), None, None, None, colour, pairs)
-    pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, None, grad_clip, epsilon)
+    pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, None, grad_clip,
+                                                     epsilon)
     channels = colour.shape[2]
     np.add.at(grad_colour.reshape(-1, channels), pixels, grads.reshape(-1, channels))
     return grad_colour, grad_clip

@@ -23,6 +23,9 @@ Screen = namedtuple("Screen", "face_index depth width height")
 # points (V, 4) on screen, faces, opposite (F, 3).
 Surface = namedtuple("Surface", "points faces opposite")
 
+# What is walked on, how many steps a walk may take, and how far: to c = most.
+Search = namedtuple("Search", "face_index width surface steps most")
+
 # A vertex: x, y and w on screen, or x and y in the frame of a pair.
 Point = namedtuple("Point", "x y w")
 
@@ -161,21 +164,20 @@ def neighbours(axis, screen, rows, pairs, n):
 
 
 @kernel
-def keep_outlines(screen, surface, pairs, begin, end, through, met, walks):
+def keep_outlines(search, pairs, begin, end, through, met):
     """Of the pairs begin <= n < end, those that are blended are written from begin on. owner, other
     and face of second walks that pass the other's centre are written to through, from met on
-    -> the ends of both. Unless it walks, only by the owner's face, as nvdiffrast has it.
+    -> the ends of both.
     """
-    points, faces, opposite = surface
-    face_index, width, kept = screen.face_index, screen.width, begin
-    most = 1.0 if walks else np.inf
+    points, faces, opposite = search.surface
+    face_index, width, kept = search.face_index, search.width, begin
     for n in range(begin, end):
         owner, other, is_back = pairs.owner[n], pairs.other[n], False
         frame = frame_of(owner, other, width)
         at = leave(points, faces, np.intp(face_index[owner]), frame)
-        for _ in range(2 * len(faces) if walks else 1):
-            if -np.inf < at.c <= most and is_silhouette(points, faces, opposite, at):
-                kept += put(pairs, kept, owner, other, at, surface, frame)
+        for _ in range(search.steps):
+            if -np.inf < at.c <= search.most and is_silhouette(points, faces, opposite, at):
+                kept += put(pairs, kept, owner, other, at, search.surface, frame)
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
@@ -214,11 +216,13 @@ def put_through(through, n, owner, other, at):
 def find_pairs(screen, surface, rows, pairs, through, walks):
     """The blended pairs of the rows bottom <= row < top with the next pixel to the right, and then
     those with the one above -> how many there are of the first, and in all; and of `through`.
+    Unless it walks, only edges of the owner's face count, as nvdiffrast has it.
     """
-    beside, met = keep_outlines(screen, surface, pairs, 0, neighbours(0, screen, rows, pairs, 0),
-                                through, 0, walks)
+    steps, most = (2 * len(surface.faces), 1.0) if walks else (1, np.inf)
+    search = Search(screen.face_index, screen.width, surface, steps, most)
+    beside, met = keep_outlines(search, pairs, 0, neighbours(0, screen, rows, pairs, 0), through, 0)
     end = neighbours(1, screen, rows, pairs, beside)
-    return (beside, met), keep_outlines(screen, surface, pairs, beside, end, through, met, walks)
+    return (beside, met), keep_outlines(search, pairs, beside, end, through, met)
 
 
 @kernel
