@@ -17,7 +17,7 @@ from .answers import Budget
 from .examination import Examination, State, frame, printable
 from .jobs import BOARD, MARK, Result
 from .labs import faster
-from .sandbox import Limits
+from .sandbox import Limits, Lost
 
 
 def examine(job) -> Result:
@@ -27,7 +27,7 @@ def examine(job) -> Result:
     for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
         calls = Calls(job, {task: [tasks.column(task)]})
         try:
-            entry = tasks.judged(task, name, points, calls.answer, job.task[which],
+            entry = tasks.judged(task, name, points, calls.trial, job.task[which],
                                  job.asks[which])
             asked[name] = calls.counted()
         finally:
@@ -54,7 +54,7 @@ class Calls(Examination):
         self.running, self.at_stake = next(iter(labs)), State.SPOILT
         self.why = []  # sentences on the workers that were lost
 
-    def answer(self, *given):
+    def trial(self, *given):
         """What the function returns. A worker that is lost takes a call's time, and its answer."""
         budget, task = self.budget, self.running
         if budget.spent.get(task, 0.0) >= self.job.limits.exercise:
@@ -73,6 +73,10 @@ class Calls(Examination):
             raise
         finally:
             self.budget = budget
+
+    def answer(self, topic, name, question):
+        """To a stand-in, of which there are none here."""
+        raise Lost("what it sent is no message")
 
     def counted(self):
         """{"topic.name": how often that function was called since a worker was lost}."""
