@@ -51,13 +51,21 @@ def judged(task, name, points, call, seed, expected) -> Entry:
     for _, given in found:
         answers.append(None)
         with noted(wrong):
-            answers[-1] = np.asarray(call(*given), dtype=np.float64)
+            answers[-1] = in_numbers(call(*given))
     why = layout([("wrong", wrong[0])] if wrong else [])
     checks = [Check(name, f"{name}::{claim}", claim, "passed" if holds else "failed",
                     "\n".join(filter(None, [said, why])), None, 0.0, False)
               for claim, holds, said in scorer(task).claims(found, expected, answers)]
     verdict = "done" if all(check.verdict == "passed" for check in checks) else "failing"
     return Entry(name, scorer(task).FUNCTION, task, points, False, verdict, False, checks)
+
+
+def in_numbers(returned):
+    """As an array. Mismatch: it is none. It does not say what it is, which could be a message."""
+    try:
+        return np.asarray(returned, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise Mismatch(("wrong", "it returned no array of numbers")) from None
 
 
 def counted(names, name):

@@ -91,7 +91,7 @@ def scored(text, task="honest_edge"):
     """What is said of each claim, of the mark's trials alone."""
     calls = open_task.Calls(job(text, task), {task: [tasks.column(task)]})
     try:
-        entry = tasks.judged(task, task, 40, calls.answer, task_seeds(0)[MARK],
+        entry = tasks.judged(task, task, 40, calls.trial, task_seeds(0)[MARK],
                              expected(task)[MARK])
     finally:
         calls.pytest_sessionfinish()
@@ -100,19 +100,38 @@ def scored(text, task="honest_edge"):
 
 @pytest.mark.parametrize(("text", "why"), [
     ("def gradient(*given): return given[0] * float('nan')", ""),
-    ("def gradient(*given): return 'right'", "ValueError"),
+    ("def gradient(*given): return 'right'", "no array of numbers"),
+    ("def gradient(*given): return str(given[0].ravel())", "no array of numbers"),
+    ("def gradient(*given): return type(str(given[0].ravel()), (), {})()", "no array of numbers"),
+    ("def gradient(*given): raise type(str(given[0].ravel()), (Exception,), {})", "Error"),
+    ("import types\ndef f(): 1 / 0\ndef gradient(*given): types.FunctionType(f.__code__.replace("
+     "co_name=str(given[0].ravel())), {})()", "ZeroDivisionError"),
+    *((f"def gradient(*given):\n    seen = str(given[0].flat[0])\n    head = {head!r} % seen\n"
+       "    import gc\n    channel = next(o for o in gc.get_objects() if type(o).__name__ == "
+       "'Channel')\n    channel.write(len(head).to_bytes(4, 'big') + head.encode())", said)
+      for head, said in (('{"%s": 0}', "cannot be read"), ('{"complex": ["x%s", 0]}',
+                         "cannot be read"), ('{"tuple": ["ask", "a", "b", "%s', "no message"))),
     ("def gradient(*given): raise SystemExit(str(given))", "SystemExit"),
     ("def gradient(*given):\n    print('passed', given)\n    __import__('os')._exit(0)", "ended"),
     ("def gradient(*given):\n    while True: pass", "no answer within 2 s"),
     ("def gradient(*given):\n    import sys\n    return sys._getframe(1).f_locals['truth']",
      "KeyError"),
     ("from tasks import honest_edge\ngradient = honest_edge.truth", "cannot be imported"),
-    ("", "has no function gradient")], ids=range(8))
+    ("", "has no function gradient")], ids=range(15))
 def test_who_cheats_gets_nothing_and_learns_nothing(text, why):
     """A death is no wrong answer; an error's text carries what is held back into a report."""
-    held_back = str(honest_edge.trials(task_seeds(0)[MARK])[0][1][0])[:12]
+    held_back = str(honest_edge.trials(task_seeds(0)[MARK])[0][1][0].flat[0])[:7]
     for verdict, said in scored(text):
         assert verdict == "failed" and why in said and held_back not in said
+
+
+def test_what_cannot_be_loaded_is_loaded_once(monkeypatch):
+    """To load is free, so an import that hangs takes 10 s for each of 160 scenes."""
+    started, start = [], open_task.Calls.start
+    monkeypatch.setattr(open_task.Calls, "start",
+                        lambda *given: started.append(1) or start(*given))
+    scored("__import__('os')._exit(0)")
+    assert len(started) == 1
 
 
 def test_the_truth_is_too_slow_to_hand_in(monkeypatch):

@@ -3,18 +3,21 @@
 All of a set's calls are the same for all submissions. The labs before the task are given whole, as
 text: a search that asked for each of its pictures through the socket would send gigabytes.
 """
+import builtins
 import contextlib
 import inspect
 import re
+
+import numpy as np
 
 from ... import exercises, tasks
 from ...checks import Mismatch
 from ...table import TASKS
 from .answers import Budget
-from .examination import Examination, State, printable
+from .examination import Examination, State, frame, printable
 from .jobs import BOARD, MARK, Result
 from .labs import faster
-from .sandbox import Limits
+from .sandbox import Limits, Lost
 
 
 def examine(job) -> Result:
@@ -24,7 +27,7 @@ def examine(job) -> Result:
     for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
         calls = Calls(job, {task: [tasks.column(task)]})
         try:
-            entry = tasks.judged(task, name, points, calls.answer, job.task[which],
+            entry = tasks.judged(task, name, points, calls.trial, job.task[which],
                                  job.asks[which])
             asked[name] = calls.counted()
         finally:
@@ -51,11 +54,13 @@ class Calls(Examination):
         self.running, self.at_stake = next(iter(labs)), State.SPOILT
         self.why = []  # sentences on the workers that were lost
 
-    def answer(self, *given):
+    def trial(self, *given):
         """What the function returns. A worker that is lost takes a call's time, and its answer."""
         budget, task = self.budget, self.running
         if budget.spent.get(task, 0.0) >= self.job.limits.exercise:
             raise Mismatch(("wrong", f"the {self.job.limits.exercise:g} s for all are used up"))
+        if why := self.missing.get(task):  # it is not loaded again: that is free
+            raise Mismatch(("wrong", why))
         try:
             self.budget = Budget(Limits())  # to load it is free
             self.open(task)
@@ -69,12 +74,17 @@ class Calls(Examination):
         finally:
             self.budget = budget
 
+    def answer(self, topic, name, question):
+        """To a stand-in, of which there are none here."""
+        raise Lost("what it sent is no message")
+
     def counted(self):
         """{"topic.name": how often that function was called since a worker was lost}."""
         if not (which := tasks.scorer(self.running).COUNTED) or self.worker is None:
             return {}
         with contextlib.suppress(Mismatch, TypeError, ValueError, OverflowError):
-            return {".".join(which): int(self.call(which[0], "count_of_calls", (), {}))}
+            count = self.call(which[0], "count_of_calls", (), {})
+            return {".".join(which): int(np.int32(count))}  # 4,000 digits are a message
 
     def earlier_lab(self, topic):
         """Whole, as the reference has it, with a count of what is counted in it."""
@@ -88,5 +98,10 @@ class Calls(Examination):
         return super().start({**dict(own), **faster()})
 
     def raise_here(self, topic, error, text, frames):
-        """Without its text: that could tell of what is held back."""
-        super().raise_here(topic, error, "", frames)
+        """The last line, and Python's own errors. A text or a name could carry away what is
+        held back.
+        """
+        own = self.job.texts[self.running]
+        frames = [(file, line, name if name in own else "a function")
+                  for file, line, name in map(frame, frames[-1:])]
+        super().raise_here(topic, error if hasattr(builtins, error) else "Error", "", frames)

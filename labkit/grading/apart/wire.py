@@ -128,9 +128,11 @@ def decode(payload, named=None, most_header=MOST_HEADER):
             raise Garbled(f"a header of {start} bytes")
         header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:], MOST_NUMBERS]
         value = built(header, rest, named or {})
+    except Garbled:
+        raise
     except (ValueError, TypeError, AttributeError, RecursionError, MemoryError,
-            OverflowError) as error:
-        raise Garbled(f"{type(error).__name__}: {error}") from None
+            OverflowError) as error:  # its text can hold what was sent
+        raise Garbled(type(error).__name__) from None
     if rest[0]:
         raise Garbled(f"{len(rest[0])} bytes too many")
     return value
@@ -166,7 +168,7 @@ def built_kind(kind, content, rest, named):
         return built_array(*content, rest)[()]
     if kind == "other":
         return built_other(content)
-    raise Garbled(f"the unknown kind {kind:.20}")
+    raise Garbled("a value of an unknown kind")
 
 
 def built_named(name, fields, rest, named):
