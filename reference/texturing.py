@@ -197,13 +197,13 @@ def near_texture(x, boundary):
 def bilinear_backward(grad_weight, uv, width, height):  # step 6.11
     """Backward of eqs. (2) and (3): grad_weight (N, 4) of 2 x 2 texels -> grad_uv (N, 2).
 
-    weight[:, 2 i + j] = row[i] column[j], where row[i] comes from v and height by `linear_texels`,
-    and column[j] from u and width. These sizes may be arrays (N,).
+    weight[:, 2 i + j] = row[i] column[j]. By `linear_texels`, row comes from v and height, column
+    from u and width, which may be arrays (N,).
 
     >>> bilinear_backward(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[0.125, 0.1875]]), 8, 4)
     array([[2., 2.]])
 
-    The weights have a corner on a texel's centre: there it is that for a larger u or v.
+    The weights have a corner on a texel's centre. There, take that for a larger u or v.
     """
     _, row_weight = linear_texels(uv[:, 1], height)
     _, column_weight = linear_texels(uv[:, 0], width)
