@@ -88,7 +88,7 @@ def gather(node, parts):
         if not isinstance(child, nodes.Text):
             gather(child, parts)
         elif parts:
-            parts[-1][2].append(seen(child) if isinstance(node, nodes.raw) else child)
+            parts[-1][2].append(seen(child) if isinstance(node, nodes.raw) else child.astext())
     if parts and not isinstance(node, nodes.Inline):
         parts[-1][2].append(" ")
 
