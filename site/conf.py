@@ -10,8 +10,14 @@ sys.path[:0] = [str(SITE), str(SITE.parent)]
 project = "Differentiable rasterization in plain NumPy"
 author = "the authors of the course"
 copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
-extensions = ["myst_nb", "pages.formulas", "pages.references", "pages.folds", "pages.search",
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "pages.sources",
+              "pages.formulas", "pages.references", "pages.folds", "pages.search",
               "pages.sidebar", "sphinx_copybutton"]
+
+autodoc_typehints = "none"
+autodoc_preserve_defaults = True
+add_module_names = False
+toc_object_entries_show_parents = "hide"
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
                           "attrs_block"]

@@ -9,8 +9,7 @@ from labkit import exercises, places
 
 from . import practice, put, sources_course
 from .names import anchor, exercise_pages, kind, lab_title, mark, points
-from .sources_course import bound
-from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
+from .sources_text import as_myst, docstring, escape, first_sentence, in_code, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. It is written and checked on the "
@@ -84,30 +83,24 @@ def overview(course, asked):
     """The table of a lab's exercises, a line each."""
     rows = []
     for name, exercise in asked.items():
-        module, node = module_and_node(course, name)
+        _, node = course.module_and_node(name)
         link, question = f'<a href="#{anchor(exercise.number)}">', ast.get_docstring(node)
         rows.append([f"{link}{exercise.number}</a>", f"{link}<code>{exercise.name}</code></a>",
                      str(exercise.points or ""),
                      f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
-                     inline(course, module, first_sentence(question), {*bound(node)})])
+                     in_code(first_sentence(question))])
     return table("overview", ["number", "function", "points", "kind", "question"], rows)
-
-
-def module_and_node(course, name):
-    """The full name of a function -> its Module, its node."""
-    module, _, function = name.rpartition(".")
-    return course.modules[module], course.modules[module].nodes[function]
 
 
 def question(course, name, drawings):
     """An exercise: its mark, its signature, its docstring, and links."""
-    exercise, (module, node) = course.exercises[name], module_and_node(course, name)
+    exercise, (module, node) = course.exercises[name], course.module_and_node(name)
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
              f'<pre class="signature"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
-                      docstring(course, module, node),
+                      as_myst(docstring(course, module, node), "{eval-rst}"),
                       as_myst(practice.place(exercise, module.topic,
                                              drawings.get((module.topic, node.name), ""))),
                       as_myst(read_on(course, name))])
@@ -115,15 +108,14 @@ def question(course, name, drawings):
 
 def read_on(course, name):
     """Links: where the lecture asks it, its answer, and what the answer calls."""
-    exercise, (module, node) = course.exercises[name], module_and_node(course, name)
+    exercise, (module, node) = course.exercises[name], course.module_and_node(name)
     page, heading = course.lectures[module.lab].announced[exercise.number]
     place = f"../lectures/{page}.html#{make_id(heading)}"
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]
-    called = dict.fromkeys(full for (line, _), full in sorted(course.uses[module.name].items())
-                           if node.lineno < line <= node.end_lineno and full != name
-                           and course.function(full))
+    called = dict.fromkeys(full for part in ast.walk(node) if isinstance(part, ast.Name)
+                           and (full := module.names.get(part.id)) and course.function(full))
     if called:
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'

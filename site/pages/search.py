@@ -14,15 +14,17 @@ from sphinx import addnodes
 
 from . import put, sources_course
 
-SKIPPED = (nodes.literal_block, nodes.math, nodes.math_block, nodes.image, nodes.comment,
-           nodes.title, nodes.term, addnodes.index, addnodes.toctree, addnodes.desc_signature)
+SKIPPED = (nodes.literal_block, nodes.doctest_block, nodes.math, nodes.math_block, nodes.image,
+           nodes.comment, nodes.title, nodes.term, addnodes.index, addnodes.toctree,
+           addnodes.desc_signature)
 INLINE = re.compile(r"</?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>")
 UNSEEN = re.compile(r"<(pre|svg|math|script|style)\b.*?</\1>|<[^>]*>", re.DOTALL)
-SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:as-typed|belongs|exercises|marks|'
-                            r'modules|names|number|overview|read-on)".*?</\1>', re.DOTALL)
+SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:belongs|exercises|marks|'
+                            r'modules|overview|read-on)".*?</\1>', re.DOTALL)
 SHAPE = re.compile(r"(?:\s->)?\s\((?=\.{3}|[^()]*,)"
                    r"(?:(?:\.{3}|[A-Z]\w*|[1-9]\d*)(?:,\s*|(?=\))))+\)")
 EQUATION = re.compile(r"\b([Ee])q\. \(")
+OBJECTS = "function", "class", "exception"
 KINDS = {"lectures": "Lecture", "labs": "Lab", "reference": "Annotated source",
          "given": "Given code"}
 
@@ -62,8 +64,9 @@ def records(name, page):
 
 
 def shown(words):
-    """The words of a part as a text."""
-    return EQUATION.sub(r"\1quation (", " ".join("".join(words).split()))
+    """The words of a part as a text, without arrays' shapes."""
+    text = SHAPE.sub("", " ".join("".join(words).split()))
+    return EQUATION.sub(r"\1quation (", text)
 
 
 def page_title(name, title):
@@ -85,22 +88,22 @@ def gather(node, parts):
         if not isinstance(child, nodes.Text):
             gather(child, parts)
         elif parts:
-            parts[-1][2].append(seen(child) if isinstance(node, nodes.raw) else child)
+            parts[-1][2].append(seen(child) if isinstance(node, nodes.raw) else child.astext())
     if parts and not isinstance(node, nodes.Inline):
         parts[-1][2].append(" ")
 
 
 def seen(source):
-    """HTML -> the words that a reader sees, without arrays' shapes and equations' numbers."""
+    """HTML -> the words that a reader sees."""
     source = INLINE.sub("", SAID_ELSEWHERE.sub(" ", source))
-    return SHAPE.sub("", html.unescape(UNSEEN.sub(" ", source)))
+    return html.unescape(UNSEEN.sub(" ", source))
 
 
 def part(node):
     """[anchor, title, no words yet] of what a reader looks for, or None."""
     if isinstance(node, nodes.section):
         return [node["ids"][0], node.next_node(nodes.title).astext(), []]
-    if isinstance(node, addnodes.desc) and node["objtype"] in ("function", "class"):
+    if isinstance(node, addnodes.desc) and node["objtype"] in OBJECTS:
         anchor = node[0]["ids"][0]
         return [anchor, anchor.rpartition(".")[2], []]
     if isinstance(node, nodes.definition_list_item) and node[0]["ids"]:

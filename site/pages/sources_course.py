@@ -42,14 +42,12 @@ class Lecture(NamedTuple):
 class Course(NamedTuple):
     """modules: {full name: Module}, lectures: {lab: Lecture}, exercises: {full name: Exercise}.
 
-    uses: {module's name: {(line, column): full name}} where code names something of the course.
     places: {name: full names} of all functions, classes and constants, and of the other modules.
     """
 
     modules: dict
     lectures: dict
     exercises: dict
-    uses: dict
     places: dict
 
     def find(self, name, lab):
@@ -66,11 +64,16 @@ class Course(NamedTuple):
                  if its_lab not in (None, max(self.lectures))]
         return next((found[0] for found in ([*labs], near, other) if len(found) == 1), None)
 
-    def function(self, full):
-        """The node of a function, or None: it is a class, a constant, a module."""
+    def module_and_node(self, full):
+        """The full name of a function or a class -> its Module, its node."""
         module, _, name = full.rpartition(".")
-        node = self.modules[module].nodes.get(name) if module in self.modules else None
-        return node if isinstance(node, ast.FunctionDef) else None
+        return self.modules[module], self.modules[module].nodes[name]
+
+    def function(self, full):
+        """Is it a function, and no class, constant or module?"""
+        module, _, name = full.rpartition(".")
+        return module in self.modules and isinstance(self.modules[module].nodes.get(name),
+                                                     ast.FunctionDef)
 
     def equations(self, module):
         """{number: page and LaTeX} of the lecture whose numbers a module uses."""
@@ -96,8 +99,7 @@ def read():
     lectures = {lab: read_lecture(topics) for lab, topics in enumerate(exercises.LABS, 1)}
     asked = {name: exercise for lecture in lectures.values()
              for name, exercise in lecture.asked.items()}
-    used = {name: uses(modules, module) for name, module in modules.items()}
-    return Course(modules, lectures, asked, used, places_of(modules))
+    return Course(modules, lectures, asked, places_of(modules))
 
 
 def places_of(modules):
@@ -165,32 +167,3 @@ def announcements(texts, asked):
                 if named and f"`{exercise.name}`" in paragraph:
                     found.setdefault(exercise.number, heading)
     return found
-
-
-def uses(modules, module):
-    """{(line, column): full name} where a module's code names something of the course."""
-    found = {}
-    for statement in module.tree.body:
-        own = set(bound(statement))
-        known = {short: full for short, full in module.names.items() if short not in own}
-        for node in ast.walk(statement):
-            match node:
-                case ast.alias(name=name) | ast.Name(id=name):
-                    names = known
-                case ast.Attribute(value=ast.Name(id=owner), attr=name):
-                    names = modules[known[owner]].names if known.get(owner) in modules else {}
-                case _:
-                    continue
-            if name in names:
-                found[node.end_lineno, node.end_col_offset - len(name)] = names[name]
-    return found
-
-
-def bound(statement):
-    """The names that a statement of a module gives to values of its own, such as parameters."""
-    for node in ast.walk(statement):
-        match node:
-            case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
-                yield name
-            case ast.FunctionDef(name=name) if node is not statement:
-                yield name

@@ -9,8 +9,9 @@ from serving import PAGES, SITE, soup
 
 SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/08_antialiasing",
        "reference/antialiasing", "benchmarks")
-ALIKE = "reference/", "given/", "labs/"
-LIKE = "reference/antialiasing.html", "given/mesh.html", "labs/08_antialiasing.html"  # as these
+ALIKE = "reference/", "given/", "labs/", "_modules/"
+LIKE = ("reference/antialiasing.html", "given/mesh.html", "labs/08_antialiasing.html",  # as these
+        "_modules/reference/antialiasing.html")
 PROSE = {"exclude": [["math"]]}
 WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anything is played
 

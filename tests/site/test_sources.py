@@ -3,14 +3,13 @@
 They look at the site that `python3 -m course site` has made.
 """
 import ast
-import collections
 import copy
-import functools
 import re
 
 import pytest
 from bs4 import BeautifulSoup
-from pages import labs, names, sources_course, sources_text, texts_links
+from docutils.core import publish_doctree
+from pages import names, sources, sources_course, sources_text, texts_links
 from serving import soup
 
 from labkit import exercises
@@ -34,126 +33,45 @@ def letters(text):
     return re.sub(r"[\s`]", "", text)
 
 
-def prose(element):
-    """The text of a docstring's place on a page, without what was added to it."""
+def prose(element, *added):
+    """What is left of a page's part without what was added to its docstring."""
     element = copy.copy(element)
-    for added in element.select(".marks, .equation, .belongs, .signature, .read-on, h2, "
-                                ".as-typed > summary, .practice, .draws"):
-        added.decompose()
-    return element.get_text()
+    for part in element.select(", ".join([".math", *added])):
+        part.decompose()
+    return letters(element.get_text())
 
 
-def docstrings(module):
-    """{name: docstring} of a module's functions and classes, and of itself: ""."""
-    found = {name: ast.get_docstring(node) or "" for name, node in module.nodes.items()}
-    return {"": ast.get_docstring(module.tree), **found}
-
-
-def places(module, page):
-    """{name: element} where their docstrings stand."""
-    dts = {dt["id"].removeprefix(f"{module.name}."): dt.find_next_sibling("dd")
-           for dt in page.select("dl.py > dt[id]")}
-    return {"": page.select_one(".opening"),
-            **{name: dd.select_one(".said") for name, dd in dts.items()}}
-
-
-def wrong_functions(module, page):
-    """Functions and classes that are not there exactly once, or in another order."""
-    shown = [dt["id"].rpartition(".")[2] for dt in page.select("dl.function > dt, dl.class > dt")]
-    return [] if shown == list(module.nodes) else [shown]
-
-
-def wrong_letters(module, page):
-    """Docstrings that a page does not hold as they are."""
-    shown = places(module, page)
-    return [name for name, text in docstrings(module).items()
-            if name not in shown or letters(prose(shown[name])) != letters(text)]
-
-
-def wrong_lines(module, page):
-    """Numbers of lines that are missing, hold something else, or are there twice.
-
-    Docstrings are beside the code, and what a check reads is nowhere.
-    """
-    inside = {n for node in (module.tree, *module.nodes.values()) if ast.get_docstring(node)
-              for n in range(node.body[0].lineno, node.body[0].end_lineno + 1)}
-    lines = module.text.splitlines()
-    shown = collections.defaultdict(list)
-    for row in (row for pre in page.select(".code > pre") for row in pre.get_text().splitlines()):
-        number, code = re.match(r"(\d+)(.*)", row).groups()
-        shown[int(number)].append(code)
-    for element in page.select('[id^="line-"]:not(.linenos)'):
-        shown[int(element["id"].removeprefix("line-"))].append(section_text(element))
-    anchors = {int(element["id"].removeprefix("line-")) for element in page.select('[id^="line-"]')}
-    expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
-    strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
-               or (texts[0] != lines[n - 1] and plain(lines[n - 1]) not in texts[0])}
-    return sorted(expected - set(shown) | strange | anchors ^ set(shown))
-
-
-def section_text(element):
-    """A heading and what stands below it."""
-    return plain(element.find_previous("h2").get_text() + " " + element.parent.get_text())
-
-
-def plain(text):
-    return re.sub(r"[#.]|--+", "", letters(text))
-
-
-def wrong_equations(module, page):
-    """Docstrings whose equations are not there, drawn as in the lecture and with their number."""
-    shown, wrong = places(module, page), []
-    for name, text in docstrings(module).items():
-        tables = name == ""
-        named = {number for part in sources_text.paragraphs(text)
-                 if sources_text.is_table(part) == tables
-                 for number in sources_text.named_equations(part) if module.lab}
-        found = {}
-        for equation in shown[name].select(".equation") if name in shown else ():
-            number = equation.select_one(".number")
-            found[int(number.get_text().strip("()"))] = (equation, number["href"])
-        if set(found) != named or not all(
-                (href, formula(equation)) == lecture_formulas(module.lab)[number]
-                for number, (equation, href) in found.items()):
-            wrong.append(name)
-    return wrong
-
-
-def formula(element):
-    """The letters of a formula, without its number."""
-    return letters(element.select_one("math").get_text())
-
-
-@functools.cache
-def lecture_formulas(lab):
-    """{number: address and formula} of a lecture, and of the page after it."""
-    return {int(element["id"].removeprefix("equation-")):
-            (f"../lectures/{path.stem}.html#{element['id']}", formula(element))
-            for path in exercises.pages(exercises.LABS[lab - 1][0])
-            for element in soup(f"lectures/{path.stem}.html").select(".math[id]")}
+def typed(module):
+    """A module's docstring without the tables that are typeset."""
+    known = COURSE.equations(module)
+    return "".join(part for part in sources_text.paragraphs(ast.get_docstring(module.tree))
+                   if not sources_text.is_typeset(part, known))
 
 
 @pytest.mark.parametrize("name", MODULES)
 def test_a_page_holds_its_module(name):
-    """A star of `x*` was taken for emphasis; a line number is off by one; a formula is another, or
-    has a number that is not its lecture's."""
-    shown = COURSE.modules[name], source_page(name)
-    assert wrong_functions(*shown) == []
-    assert wrong_letters(*shown) == []
-    assert wrong_lines(*shown) == []
-    assert wrong_equations(*shown) == []
+    """A star of `x*` was taken for emphasis; a function or its code is missing."""
+    module, page = COURSE.modules[name], source_page(name)
+    shown = {dt["id"].rpartition(".")[2]: dt.find_next_sibling("dd")
+             for dt in page.select("dl.py > dt[id]")}
+    assert [name for name in shown if name in module.nodes] == [*module.nodes]
+    for function, node in module.nodes.items():
+        said = prose(shown[function], 'p > a[href*="exercise-"]:only-child')
+        code = sources.code(module, node)
+        assert said == letters((ast.get_docstring(node) or "") + code), function
+    opening = prose(page.select_one("article section"), "h1", "h1 + p", "dl.py")
+    assert opening == letters(typed(module))
 
 
-def test_many_equations_are_typeset():
-    """The check above finds nothing where no equation is named."""
-    assert sum(len(source_page(name).select(".equation")) for name in MODULES) > 400
-
-
-def test_a_table_of_equations_is_folded_where_all_of_it_is_typeset():
-    """The equations stand there twice; or a line that is only in the table is hidden."""
-    folded = {name for name in MODULES if source_page(name).select(".opening .as-typed .table")}
-    assert {"reference.antialiasing", "reference.sampling"} <= folded
-    assert not folded & {"course.given.arrays", "reference.received_light", "course.given.sweeps"}
+@pytest.mark.parametrize("lab", LABS)
+def test_a_formula_is_one_of_its_lecture(lab):
+    """It is another, or has a number that is not its lecture's."""
+    lecture = {int(element["id"].removeprefix("equation-")): letters(element.math.get_text())
+               for path in exercises.pages(exercises.LABS[lab - 1][0])
+               for element in soup(f"lectures/{path.stem}.html").select(".math[id]")}
+    shown = {letters(element.math.get_text()) for module in COURSE.modules.values()
+             if module.lab == lab for element in source_page(module.name).select("div.math")}
+    assert shown and shown <= {f"{formula}({number})" for number, formula in lecture.items()}
 
 
 @pytest.mark.parametrize("lab", LABS)
@@ -164,12 +82,13 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = soup("labs/index.html").get_text()
     for name, exercise in asked.items():
-        module, node = labs.module_and_node(COURSE, name)
+        module, node = COURSE.module_and_node(name)
         element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed
         assert names.mark(exercise) in element.get_text()
-        assert letters(prose(element)) == letters(ast.get_docstring(node))
+        assert prose(element, ".marks", ".signature", ".read-on", "h2", ".practice", ".draws") \
+            == letters(ast.get_docstring(node))
         assert f"({ast.unparse(node.args)})" in element.select_one(".signature").get_text()
         assert answer_lines(module, node) & {*map(str.strip, element.get_text().splitlines())} \
             == set()
@@ -200,27 +119,28 @@ def test_a_question_leads_to_where_the_lecture_asks_it(lab):
 def test_no_letter_is_markup(text):
     """A docstring is plain text."""
     module = COURSE.modules["reference.antialiasing"]
-    shown = BeautifulSoup(sources_text.block(COURSE, module, text), "html.parser").get_text()
+    shown = publish_doctree(sources_text.block(COURSE, module, text), settings_overrides={
+        "report_level": 1, "halt_level": 1}).astext()
     assert letters(shown) == letters(text)
 
 
 def test_names_become_links_to_the_right_places():
     """`crossing_backward` is in two modules; `tube` is a parameter; lab 17 has kernels' names."""
-    def address(name, text, own=()):
-        shown = sources_text.inline(COURSE, COURSE.modules[name], f"`{text}`", own)
-        link = BeautifulSoup(shown, "html.parser").a
-        return link and link["href"]
-    assert address("reference.antialiasing", "crossing_backward") \
-        == "../reference/antialiasing.html#reference.antialiasing.crossing_backward"
-    assert address("reference.shape_rendering", "sphere_trace") \
-        == "../reference/implicit_surfaces.html#reference.implicit_surfaces.sphere_trace"
-    assert address("reference.reconstruction", "course.given.mesh.vertex_normals") \
-        == "../given/mesh.html#course.given.mesh.vertex_normals"
-    assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
-    assert address("reference.regularization", "edge_function") \
-        == "../reference/rasterization.html#reference.rasterization.edge_function"
-    assert address("course.given.mesh", "radius", ("radius", "tube")) is None
-    assert address("reference.antialiasing", "no_such_function") is None
+    def target(name, text, own=()):
+        shown = sources_text.link(COURSE, COURSE.modules[name], text, own)
+        found = re.search("<(.*)>", shown)
+        return found and found[1]
+    assert target("reference.antialiasing", "crossing_backward") \
+        == "reference.antialiasing.crossing_backward"
+    assert target("reference.shape_rendering", "sphere_trace") \
+        == "reference.implicit_surfaces.sphere_trace"
+    assert target("reference.reconstruction", "course.given.mesh.vertex_normals") \
+        == "course.given.mesh.vertex_normals"
+    assert target("reference.regularization", "remeshing") == "reference.remeshing"
+    assert target("reference.regularization", "edge_function") \
+        == "reference.rasterization.edge_function"
+    assert target("course.given.mesh", "radius", ("radius", "tube")) is None
+    assert target("reference.antialiasing", "no_such_function") is None
 
 
 def test_a_text_links_the_functions_that_it_names_and_no_others():
