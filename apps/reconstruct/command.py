@@ -15,12 +15,6 @@ from labkit import places
 from . import captures, exports, views
 
 KEPT_OUT = 8  # every eighth picture is not for the search: it tells how good the mesh is
-UNSURE = ("other light, with albedo that differs by up to {:.0f} %, fits the pictures as well, and "
-          "its tint is a guess: the greyest light that does")
-TURNS = 0.1  # a light that stays gives 0.04 at most, where things shine; a lamp that turns 0.4
-TURNING = ("points are brighter on one side of the pictures, so the light turns with the camera, "
-           "as before a turntable; the search takes it for fixed: expect wrong albedo, and take "
-           "pictures with a camera that goes around instead, or in even light")
 
 
 def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
@@ -34,10 +28,10 @@ def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
             labs, photos, [k for k in range(len(photos.pictures)) if k not in new])
         surface = moved(labs, *searched(labs, capture), capture)
         print("telling paint from light, and cutting the surface into charts", flush=True)
-        surface, colours, remarks = told_apart(labs, surface, capture)
+        surface, colours = told_apart(labs, surface, capture)
         path = out(folder)
         exports.save(labs, surface, path, photos.world_from_grid)
-        print(*remarks, *summary(labs, surface, colours, photos, new, path), sep="\n")
+        print(*summary(labs, surface, colours, photos, new, path), sep="\n")
     return 0
 
 
@@ -89,12 +83,8 @@ def moved(labs, x, steps, capture):
 
 def told_apart(labs, surface, capture):
     """The last step, in which the shape stays -> the Surface with its albedo told apart from the
-    light, the colours (V, 3) of both together, and sentences on the light.
+    light, and the colours (V, 3) of both together.
     """
     lab = labs.intrinsic_decomposition
-    targets = labs.multi_view_fit.targets_of(capture, 1, 1)
-    look = lab.decompose(surface, targets)
-    remarks = [UNSURE.format(100 * labs.ambiguity.doubt(surface, targets, look))]
-    if labs.ambiguity.turning(surface, targets, lab.seen_colours(surface, targets)[0]) > TURNS:
-        remarks.append(TURNING)
-    return surface._replace(albedo=look.albedo), lab.shaded_colours(surface, look), remarks
+    look = lab.decompose(surface, labs.multi_view_fit.targets_of(capture, 1, 1))
+    return surface._replace(albedo=look.albedo), lab.shaded_colours(surface, look)

@@ -11,5 +11,4 @@ imports in turn is of the package that asked: a diagnosis of your labs asks your
     received_light           lab 16: the light that reaches a surface
     intrinsic_decomposition  lab 16: paint and light of a found surface
     vertex_fit               lab 16: a found surface moved vertex by vertex
-    ambiguity                lab 16: how well paint and light are known apart
 """

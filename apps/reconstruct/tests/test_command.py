@@ -47,7 +47,7 @@ def test_the_command_makes_a_mesh_and_says_how_good_it_is(folder, tmp_path, monk
     assert commands.main(["reconstruct", str(folder), "--size", "32"]) == 0
     printed = capsys.readouterr().out
     assert "pieces 1, genus 0; " in printed and " dB on the object in 1 new views" in printed
-    assert "7.png: " in printed and "fits the pictures as well" in printed
+    assert "7.png: " in printed
     made = tmp_path / "reconstruct" / "a_ball"
     assert {path.name for path in made.iterdir()} == {"a_ball.glb", "a_ball_views.png"}
     (found,) = trimesh.load(made / "a_ball.glb", process=False).geometry.values()
