@@ -20,14 +20,14 @@ function practise(place) {
     if (text === part().text) return;
     part().write(text);
     recall();
-    keep(topic, say);
+    keep(topic, (words) => { warning = words; say(""); });
     begin(about);
     for (const other of shown.values()) if (other.topic === topic) other.number();
   }, check);
-  let waits = false, isDrawn = false;
+  let waits = false, isDrawn = false, warning = "";
 
   function say(words, kind = "") {
-    find("output").textContent = words;
+    find("output").textContent = `${words} ${warning}`.trim();  // it is not overwritten
     place.dataset.verdict = kind;
   }
 
