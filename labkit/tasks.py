@@ -86,6 +86,16 @@ def noted(wrong):
         wrong.append(f"{type(error).__name__}: {error}")
 
 
+def loaded(code, task, topic, name):
+    """The task's function, and the calls of what is counted. ValueError: it is not there."""
+    find, wrong = loader.finder(code), []
+    with noted(wrong):
+        find(task, scorer(task).FUNCTION)
+        calls = counted(vars(loader.load_topic(code / f"{topic}.py")), name)
+        return find(task, scorer(task).FUNCTION), calls
+    raise ValueError(wrong[0])
+
+
 def check(task, implementation, seed) -> int:
     """Score labs/TASK.py at home, and show it -> 0 if all claims hold, else 1."""
     code, one = loader.folder(implementation), scorer(task)
@@ -97,14 +107,11 @@ def check(task, implementation, seed) -> int:
         places.write_whole(kept, json.dumps(one.expected(seed)).encode())
     with loader.package(code):
         topic, name = one.COUNTED or (task, one.FUNCTION)
-        calls = counted(vars(loader.load_topic(code / f"{topic}.py")), name)
-        function, began = loader.finder(code)(task, one.FUNCTION), time.process_time()
+        (function, calls), began = loaded(code, task, topic, name), time.process_time()
         entry = judged(task, task, one.POINTS, lambda *given: contract.called(function, *given),
                        seed, json.loads(kept.read_bytes()))
         seconds = time.process_time() - began
-    for each in entry.checks:
-        print(f"{each.verdict:7} {each.claim}: {each.message}")
+    print(*(f"{each.verdict:7} {each.claim}: {each.message}" for each in entry.checks), sep="\n")
     print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "
-          f"{one.ALL_SECONDS:g} s of a processor and {len(calls)} calls of {topic}.{name}. "
-          f"--seed 1 has other random numbers. The rules are in tasks/{task}.md.")
+          f"{one.ALL_SECONDS:g} s, and {len(calls)} calls of {topic}.{name}: see tasks/{task}.md.")
     return int(entry.verdict != "done")

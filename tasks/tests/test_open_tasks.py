@@ -1,5 +1,4 @@
 """The open tasks: their truths on paper, the scores of what is right, naive and hostile."""
-
 import functools
 import re
 
@@ -9,7 +8,7 @@ import pytest
 from labkit import exercises, places, tasks
 from labkit.grading.apart import open_task, sandbox
 from labkit.grading.apart.jobs import BOARD, MARK, Job
-from labkit.grading.grade import task_seeds
+from labkit.grading.grade import task_limits, task_seeds
 from labkit.grading.pages import scoreboard
 from tasks import honest_edge, one_picture
 
@@ -51,15 +50,11 @@ def test_a_photograph_is_solved_within_its_limits():
     assert one_picture.off(true, true * np.r_[np.ones(7), 1.2, 1, 1, 1])[2] == pytest.approx(20)
 
 
+expected = functools.cache(lambda task: tasks.expected(task, task_seeds(0)))
+
+
 def job(text, task="honest_edge"):
-    one = tasks.scorer(task)
-    limits = sandbox.Limits(call=one.SECONDS, exercise=one.ALL_SECONDS)
-    return Job({task: text}, {}, LEVEL, 0, limits, None, expected(task), task_seeds(0))
-
-
-@functools.cache
-def expected(task):
-    return tasks.expected(task, task_seeds(0))
+    return Job({task: text}, {}, LEVEL, 0, task_limits(task), None, expected(task), task_seeds(0))
 
 
 @pytest.fixture(autouse=True)
@@ -132,6 +127,14 @@ def test_what_cannot_be_loaded_is_loaded_once(monkeypatch):
                         lambda *given: started.append(1) or start(*given))
     scored("__import__('os')._exit(0)")
     assert len(started) == 1
+
+
+def test_at_home_a_file_without_the_function_is_told_in_a_sentence(tmp_path, monkeypatch):
+    """A traceback."""
+    monkeypatch.setattr(places, "OUT", str(tmp_path))
+    (tmp_path / "honest_edge.py").write_text("def other(): pass")
+    with pytest.raises(ValueError, match="no function gradient"):
+        tasks.check("honest_edge", str(tmp_path), 0)
 
 
 def test_the_truth_is_too_slow_to_hand_in(monkeypatch):

@@ -61,10 +61,6 @@ def start(root, *arguments, python=sys.executable, target=("-m", "course"), cwd=
                            errors=ended.stderr)
 
 
-def venv_python(root):
-    return root / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-
-
 def installed(root):
     return sorted(path.name for path in (root / ".venv").rglob("*.dist-info")
                   if not path.name.startswith(("pip-", "setuptools-")))
@@ -116,7 +112,7 @@ def test_changed_requirements_are_installed(ready, active):
     active, the start finds itself inside and does not look at requirements.txt.
     """
     (ready / "requirements.txt").write_text("pebble>=1.1\nstone>=1.0\n")
-    ended = start(ready, "0", python=venv_python(ready) if active else sys.executable)
+    ended = start(ready, "0", python=module(ready).PYTHON if active else sys.executable)
     assert (ended.status, len(ended.told)) == (0, 1)
     assert installed(ready) == ["pebble-1.2.dist-info", "stone-1.2.dist-info"]
 
@@ -202,9 +198,8 @@ def test_an_old_python_gets_a_sentence(new, monkeypatch, capsys):
     """An old Python meets a word of Python 3.8 and shows a SyntaxError."""
     for file in ("__main__.py", "__init__.py"):
         ast.parse((COURSE / file).read_text("utf-8"), feature_version=(3, 6))
-    started = module(new)
-    monkeypatch.setattr(started.sys, "version_info", (3, 10, 13))
-    assert started.main() == 2
+    monkeypatch.setattr(sys, "version_info", (3, 10, 13))
+    assert module(new).main() == 2
     told = capsys.readouterr().err
     assert told.count("\n") == 1 and "needs Python 3.11 or newer" in told
 
