@@ -55,7 +55,7 @@ def opposite_corners(faces):  # exercise 8.1 (3 points)
 
     Fine print. Do not compare all pairs of faces: meshes are large. A face that names a vertex
     twice gets -1. Where three faces meet, list their third vertices, each once, as the corner of
-    its first face. The first two answer each other. Other faces get -1.
+    its first face. The first two answer each other, in all faces that have them. Others get -1.
     """
     raise NotImplementedError("exercise 8.1: opposite_corners")
 

@@ -166,8 +166,8 @@ def interpolate_pixel(attributes, corners, b):  # step 5.7
 def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), for all pixels at once: the picture (H, W, C) of attributes (V, C).
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given `masked_scatter` puts the seen
-    pixels' rows into a picture, which is 0 elsewhere. See `demo bunny`.
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given `masked_scatter(rows, mask)`
+    puts the seen pixels' rows into a picture, which is 0 elsewhere. See `demo bunny`.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.0, 0.0, 0.0]]])
@@ -183,7 +183,7 @@ def barycentrics_derivatives(face_index, clip, faces):  # exercise 5.9 (3 points
 
     face_index (H, W), clip (V, 4), faces (F, 3) -> db/dx, db/dy (H, W, 3, 2), 0 where no face is
     seen. e_k is of the edge from i to j, (i, j) = EDGES[k], and de_k/dx = y_i - y_j, de_k/dy =
-    x_j - x_i.
+    x_j - x_i. See `demo bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 1.0], [3.0, -3.0, 0.0, 3.0], [-1.0, 1.0, 0.0, 1.0]])
     >>> barycentrics_derivatives(np.array([[0]]), clip, np.array([[0, 1, 2]]))
@@ -227,7 +227,7 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
     """Eq. (7), for all pixels at once: the backward pass of `interpolate`.
 
     grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3), 0 where no face is
-    seen. The given `scatter` sums what comes to a vertex from all its pixels.
+    seen. The given `scatter(values, index, count)` sums what comes to a vertex from all its pixels.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

@@ -138,8 +138,8 @@ def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
     `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of the
-    given `intersections.all_pairs`, of which `antialiasing.blend_pairs` makes the picture. See
-    `demo bunny`.
+    given `intersections.all_pairs(face_index, depth, clip, faces, opposite)`, of which
+    `antialiasing.blend_pairs` makes the picture. See `demo bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)
@@ -155,9 +155,9 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.3 (3 poi
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
-    The given `intersections.all_pairs_backward`, then `shade_backward`, then lab 7's
-    `rasterize_backward`, which takes grad_depth. The first and the last give a grad_clip: add them.
-    buffers, such as buffers.clip, are those of `draw`.
+    The given `intersections.all_pairs_backward(grad_picture, colour, pairs, clip, faces)`, then
+    `shade_backward`, then lab 7's `rasterize_backward`, which takes grad_depth. The first and the
+    last give a grad_clip: add them. buffers, such as buffers.clip, are those of `draw`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))

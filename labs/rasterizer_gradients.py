@@ -94,7 +94,7 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise
 def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
     """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
 
-    Lab 2's `scatter` makes a whole array for each chunk. This adds in place.
+    `scatter` makes a whole array for each chunk. This adds in place.
     """
     X, Y = centre
     grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)

@@ -228,7 +228,8 @@ def resolve(shade, request, background):  # exercise 4.8 (3 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.10 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered, by the given `scatter`. See `demo msaa`.
+    What `resolve` gathers is scattered, by the given `scatter(values, index, count)`. See
+    `demo msaa`.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))

@@ -104,7 +104,7 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3
     passes the other's centre (c >= 1) without one, and that pixel sees a face, this walks from
     there: owner and other change places. Second walks that pass, too, are the others: there
     surfaces cross. face_index, depth (H, W), clip (V, 4), faces, opposite (F, 3).
-    `all_silhouettes` is given.
+    `all_silhouettes(clip, faces, opposite, width, height)` is given.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> picture = np.array([[0, 0, -1, -1]]), np.array([[0.0, 0.0, np.inf, np.inf]])

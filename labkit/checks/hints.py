@@ -165,11 +165,11 @@ def alike(known, found):
 
 
 def in_words(places, found):
-    """in output 2, in [..., 1] or [..., 2], in 5 of 7 checks."""
+    """in output 2, in [..., 1] and [..., 2], in 5 places, in 5 of 7 checks."""
     if places[-1] == "checks":
         return f"in {places[0]} of {len(found.failed)} checks"
-    return "in " + " and ".join(f"[..., {place[2:]}]" if "." in place else f"output {place}"
-                                for place in places)
+    named = [f"[..., {place[2:]}]" if "." in place else f"output {place}" for place in places]
+    return "in " + (" and ".join(named) if len(named) < 4 else f"{len(named)} places")
 
 
 def whole(mark):

@@ -159,7 +159,7 @@ def explained(error, item):
         place = labels.index("expected")
         rows[place:place] = output_row(error.compared, returned)
     if last and isinstance(returned, tuple):
-        rows = [(label, text + named(last[0], text) if label == "output" else text)
+        rows = [(label, text + named(last[0], text, returned) if label == "output" else text)
                 for label, text in rows]
     if is_misshaped(error):
         words = axes_in_words(*map(np.shape, error.compared[:2]), arguments(*last) if last else ())
@@ -200,20 +200,22 @@ def caught(item, error, rows):
 
 def output_row(compared, returned):
     """A row, or none: which of several outputs was compared."""
-    if compared is None or not isinstance(returned, tuple):
-        return []
-    place = hints.place_in(returned, compared.got)
+    is_part = compared is not None and isinstance(returned, tuple)
+    place = hints.place_in(returned, compared.got) if is_part else None
     return [] if place is None else [("output", f"{place + 1} of {len(returned)}")]
 
 
-def named(function, place):
-    """": grad_uv" for place "1 of 2", if the function's question names so many outputs, else ""."""
+def named(function, place, returned):
+    """": grad_uv" for place "1 of 2", if what was returned or else the function's question names so
+    many outputs, else "".
+    """
     question = (inspect.getdoc(function) or "").partition("Fine print.")[0].partition(">>>")[0]
     text = re.sub(r"\([^()]*\)", "", question).partition("->")[2]
     told = re.split(r"[.:;](?=\s|$)|\n\n", text)[0]
     number, count = map(int, place.split(" of "))
-    names = [name for part in re.split(r",|\band\b", told)
-             if (name := " ".join(part.split())) and not re.match(NO_NAME, name)]
+    names = getattr(returned, "_fields", None) or [
+        name for part in re.split(r",|\band\b", told)
+        if (name := " ".join(part.split())) and not re.match(NO_NAME, name)]
     return f": {names[number - 1]}" if len(names) == count else ""
 
 

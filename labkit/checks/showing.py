@@ -119,8 +119,7 @@ def error_text(error, code) -> str:
                           for frame in frames])
     lines += [*shapes_there(error.__traceback__, frames[-1]), *fitting(error)] if frames else []
     if isinstance(error, SyntaxError) and error.filename:  # a zero byte has no place
-        where = f"{places.shown_path(error.filename)}:{error.lineno}"
-        lines += [f"{where}\n    {quoted(error.text)}"]
+        lines += [f"{places.shown_path(error.filename)}:{error.lineno}\n    {quoted(error.text)}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
@@ -167,7 +166,7 @@ def unfit(short, long):
     fits = [each for ones in ((1,), (1,) * (len(long) - len(short))) for k in range(len(short) + 1)
             if broadcasts(each := (*short[:k], *ones, *short[k:]), long)]
     if fits:
-        dot = f". Or is {long} to be summed over its last axis first, as in a dot product?"
+        dot = f". Or is {long} to be transposed, or summed over its last axis, as in a dot product?"
         return f"{short} fits as {fits[0]}: {AN_AXIS}{dot * (long[:-1] == short)}"
     if short == long[::-1]:
         return f"{short} and {long} are equal when one is transposed, .T: rows became columns"

@@ -12,7 +12,7 @@ from made_up import SPOILT, check_text, exercise_text
 from PIL import Image
 
 from labkit import contract, places
-from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
+from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, loader, report
 from labkit.checks.assertions import assert_refused
 from labkit.checks.loader import Implementation
 from labkit.checks.pictures import GAP
@@ -82,6 +82,7 @@ def test_the_output_of_several_that_differs_is_named():
     """Of three gradients, the student does not know which one is wrong."""
     text = text_of(assert_close, (1.0, np.ones(2), 3.0), (1.0, np.zeros(2), 4.0))
     assert "output    2 of 3\nexpected  [0., 0.]\ngot       [1., 1.]" in text
+    assert report.named(np.linalg.qr, "2 of 2", np.linalg.qr(np.eye(2))) == ": R"
 
 
 def test_tolerances_are_those_that_were_given():
@@ -531,9 +532,8 @@ def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
 
 
 @pytest.mark.parametrize(("line", "fits"), [
-    ("np.ones((5, 3)) / np.ones(5)", "(5,) fits as (5, 1): keepdims=True"),
-    ("np.ones((5, 3)) + np.ones(5)", "Or is (5, 3) to be summed over its last axis"),
-    ("np.ones((4, 3)) * np.ones((4, 3, 2))", "(4, 3) fits as (4, 3, 1): "),
+    ("np.ones((5, 3)) + np.ones(5)", "Or is (5, 3) to be transposed, or summed over its last axis"),
+    ("np.ones((4, 3)) * np.ones((4, 3, 2))", "(4, 3) fits as (4, 3, 1): keepdims=True"),
     ("np.ones((4, 2)) + np.ones((7, 4, 3, 2))", "(4, 2) fits as (4, 1, 2): "),
     ("np.ones(5) * np.ones((5, 4, 3))", "(5,) fits as (5, 1, 1): "),
     ("np.ones((4, 2)) + np.ones(3)", "must be equal or 1. Here 3 and 2 meet"),
