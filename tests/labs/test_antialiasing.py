@@ -79,7 +79,9 @@ def test_of_three_faces_at_an_edge_the_first_two_count(impl):
 
 @exercise("8.1", fine_print=True)
 def test_a_face_that_comes_twice_is_no_neighbour_of_itself(impl):
-    """The second copy takes the place of the true neighbour, or a face is across from itself."""
+    """The second copy takes the place of the true neighbour, or gets -1: it has the same neighbour
+    as the first. Or a face is across from itself.
+    """
     faces = np.array([[0, 1, 2], [1, 2, 0], [1, 0, 3]])
     assert_equal(impl.opposite_corners(faces), [[-1, -1, 8], [-1, 8, -1], [-1, -1, 2]])
 
