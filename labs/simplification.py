@@ -117,7 +117,7 @@ def surface_quadrics(vertices, faces):  # exercise 12.4 (3 points)
 
     vertices (V, 3), faces (F, 3). A face counts at its three vertices, with its area. Each of
     `boundary_planes` counts at both ends of its edge, with BOUNDARY_WEIGHT times the edge's length
-    squared. `face_planes` and `scatter` are given. See `demo simplified`.
+    squared. `face_planes` and `scatter(values, index, count)` are given. See `demo simplified`.
 
     >>> triangle = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> surface_quadrics(triangle, np.array([[0, 1, 2]]))[0].diagonal()

@@ -161,8 +161,8 @@ def marching_tetrahedra_backward(grad_vertices, ends, points,  # exercise 15.10 
     """Backward of `marching_tetrahedra`: grad_vertices (V, 3) -> grad_points (G, 3), grad_distance
     (G,).
 
-    ends (V, 2) are held: vertex v lies between the points ends[v]. A point sums (`scatter`) what
-    all of its vertices have for it. See `demo hole`.
+    ends (V, 2) are held: vertex v lies between the points ends[v]. A point sums what all of its
+    vertices have for it, by `scatter(values, index, count)`. See `demo hole`.
 
     >>> points, distance = np.diag([0.0, 4.0, 8.0]), np.array([3.0, -1.0, 1.0])
     >>> grad_vertices, ends = np.array([[0.0, 4, 0], [0, 2, 0]]), np.array([[1, 0], [1, 2]])
