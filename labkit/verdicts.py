@@ -107,7 +107,7 @@ def run(target: str | None, implementation: str, seed: int, extra: bool = False)
     if not set(asked) - closed:
         raise ValueError(not_open(target, labs, asked))
     called = called_exercises(labs, code, closed)
-    needed = closure(set(asked) - closed, called)
+    needed = exercises.closure(set(asked) - closed, lambda number: called.get(number, ()))
     broken = not_python(labs, code)
     checks, problems = run_checks({topic: labs[topic] for topic in labs if topic not in broken},
                                   needed, implementation, seed)
@@ -174,16 +174,6 @@ def called_exercises(labs, code, closed=()):
             continue
         called |= {numbers[name]: [numbers[other] for other in names[name]] for name in names}
     return called
-
-
-def closure(numbers, called):
-    """These exercises, and all that they call."""
-    needed, ends = set(numbers), list(numbers)
-    while ends:
-        new = set(called.get(ends.pop(), ())) - needed
-        needed |= new
-        ends += new
-    return needed
 
 
 def entries(labs: dict, needed: Iterable[str], called: dict, found: list[Check],
