@@ -1,11 +1,10 @@
 """Core, extra, fine print: what is open, what counts, and what is told of the rest."""
-import csv
 import json
 import shutil
 
 import pytest
 from made_up import check_text, exercise_text
-from submitted import put
+from small_course import grade_command, grades, hand_in
 
 REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.1", "double", "Twice x.\n\n    Fine print. Of nothing it is nothing.\n    ",
@@ -128,15 +127,14 @@ def test_mutants_are_counted_by_kind(run):
 
 def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
     """An extra that came complete gives points to everybody."""
-    put(root, {"in/ada/transforms.py": ROUGH})
-    command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
-    table = root / "out" / "grades" / "grades.csv"
+    hand_in(root, ada=ROUGH)
+    _, *command = grade_command(root)
     run(*command)
-    row, = csv.DictReader(table.read_text(encoding="utf-8").splitlines())
+    row, = grades(root / "out").values()
     assert (row["total"], row["of"], row["fine print open"]) == ("2", "2", "1.1")
     assert "extras" not in row
-    page = (root / "out/grades/students/ada/report.html").read_text()
+    page = (root / "out/students/ada/report.html").read_text()
     assert "2 of 2 points" in page and "done, fine print open" in page
     run(*command, "--extra")
-    row, = csv.DictReader(table.read_text(encoding="utf-8").splitlines())
+    row, = grades(root / "out").values()
     assert (row["core"], row["extras"], row["total"], row["of"]) == ("2", "3", "5", "5")
