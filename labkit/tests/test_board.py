@@ -210,26 +210,10 @@ def test_a_test_run_that_breaks_off_spoils_the_board(house, run_here):
     assert "--nonsense" in done.stderr
 
 
-TWICE = '''\
-import os
-from pathlib import Path
-
-from labkit import board
-
-os.environ["PYTEST_ADDOPTS"] = "--collect-only"
-lab = Path("labs/rasterization.py")
-right = lab.read_text()
-for text in right.replace("2 *", "3 *"), right:
-    lab.write_text(text)
-    print("status", board.check("2"))
-'''
-
-
-def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
-    """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
-    done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
-    assert [line for line in lines(done.stdout) if line.startswith("status")] == [
-        "status 1", "status 0"], done.stdout + done.stderr
+def test_nobody_s_own_settings_for_pytest_change_the_verdict(check, monkeypatch):
+    """A PYTEST_ADDOPTS in the user's shell runs no check, and no board is as another."""
+    monkeypatch.setenv("PYTEST_ADDOPTS", "--collect-only")
+    assert "All that was asked for is done" in check("2").stdout
 
 
 def entry(number, verdict, *of_checks):

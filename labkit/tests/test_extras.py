@@ -40,7 +40,7 @@ def lab(root):
 def run(root, run_here, run_module):
     """run(...) -> what a command says there."""
     def run(*command, status=0):
-        run = run_module if command[0] in ("grade", "mutants") else run_here  # who start others
+        run = run_module if command[0] == "grade" else run_here  # which starts others
         done = run(root, "course", *command)
         assert done.returncode == status, done.stdout + done.stderr
         return " ".join((done.stdout + done.stderr).split())
@@ -116,13 +116,6 @@ def test_the_question_gives_the_points_and_the_fine_print_is_told(root, lab, run
     assert (entry["verdict"], entry["told"]) == ("done", "done, fine print open")
     lab.write_text(REFERENCE.replace("return 2 * x", "return 0.0"))
     assert "1.1 double 0 of 2 failing" in run("check", status=1)
-
-
-def test_mutants_are_counted_by_kind(run):
-    """A mutant that only the fine print catches counts against the question, or for it."""
-    said = run("mutants")
-    assert "core 1 exercise 3 of 3 caught 100.0 %, 2 more by the fine print" in said, said
-    assert "extra 1 exercise" in said
 
 
 def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
