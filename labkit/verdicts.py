@@ -17,7 +17,6 @@ from .table import COMMAND
 
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
              "modules in labs/, one file each of at most 32 kB of UTF-8: from .norms import norm")
-KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
 NOTHING = "not started", "not readable"  # verdicts that give no points, whatever claims hold
 
 
@@ -234,8 +233,7 @@ def as_json(board: list[Entry]) -> str:
     claims: [how many hold, of], fine_print_open, checks}]}.
     """
     reached, of = points(board)
-    lines = [{**dict(zip(KEYS, entry, strict=False)), "told": entry.told,
-              "reached": entry.reached, "claims": entry.claims,
-              "fine_print_open": entry.fine_print_open,
-              "checks": [check._asdict() for check in entry.checks]} for entry in board]
+    lines = [{**entry._asdict(), "told": entry.told, "reached": entry.reached,
+              "claims": entry.claims, "checks": [check._asdict() for check in entry.checks]}
+             for entry in board]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"
