@@ -185,12 +185,11 @@ def grade(asked):
 
 @command(
     WORK, "skeleton",
-    option("--check", action="store_true", help="write nothing; fail if labs/ is out of step"),
     option("--force", action="store_true", help="start afresh the labs that were worked on, too"))
 def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
     from .upkeep import skeleton
-    return skeleton.run(check=asked.check, force=asked.force)
+    return skeleton.run(force=asked.force)
 
 
 @command(WORK, "mistakes [TARGET]", TRIED)

@@ -17,7 +17,7 @@ import itertools
 import json
 import re
 import tokenize
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -239,14 +239,23 @@ def calls(text: str, names: Iterable[str]) -> dict[str, tuple[str, ...]]:
               for function in top_level_functions(text)}
 
     def reached(name):
-        seen, ends = {name}, [name]
-        while ends:
-            new = called.get(ends.pop(), set()) - seen
-            seen |= new
-            ends += new.difference(names)
+        seen = closure([name], lambda one: called.get(one, ()) if one == name or one not in names
+                       else ())
         return tuple(other for other in names if other in seen and other != name)
 
     return {name: reached(name) for name in names}
+
+
+def closure(starts: Iterable, after: Callable) -> set:
+    """These, and all that comes after them in any number of steps. after(one) -> those next to it.
+    """
+    seen = set(starts)
+    ends = list(seen)
+    while ends:
+        new = set(after(ends.pop())) - seen
+        seen |= new
+        ends += new
+    return seen
 
 
 def text_lines(text: str) -> list[str]:

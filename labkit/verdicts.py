@@ -17,7 +17,6 @@ from .table import COMMAND
 
 ALL_THERE = ("numpy, scipy, Python's own library and what was imported already are, and your own "
              "modules in labs/, one file each of at most 32 kB of UTF-8: from .norms import norm")
-KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
 NOTHING = "not started", "not readable"  # verdicts that give no points, whatever claims hold
 
 
@@ -107,7 +106,7 @@ def run(target: str | None, implementation: str, seed: int, extra: bool = False)
     if not set(asked) - closed:
         raise ValueError(not_open(target, labs, asked))
     called = called_exercises(labs, code, closed)
-    needed = closure(set(asked) - closed, called)
+    needed = exercises.closure(set(asked) - closed, lambda number: called.get(number, ()))
     broken = not_python(labs, code)
     checks, problems = run_checks({topic: labs[topic] for topic in labs if topic not in broken},
                                   needed, implementation, seed)
@@ -176,16 +175,6 @@ def called_exercises(labs, code, closed=()):
     return called
 
 
-def closure(numbers, called):
-    """These exercises, and all that they call."""
-    needed, ends = set(numbers), list(numbers)
-    while ends:
-        new = set(called.get(ends.pop(), ())) - needed
-        needed |= new
-        ends += new
-    return needed
-
-
 def entries(labs: dict, needed: Iterable[str], called: dict, found: list[Check],
             broken: Iterable[str] = ()) -> list[Entry]:
     """The Entry of each needed exercise, in the course's order."""
@@ -244,8 +233,7 @@ def as_json(board: list[Entry]) -> str:
     claims: [how many hold, of], fine_print_open, checks}]}.
     """
     reached, of = points(board)
-    lines = [{**dict(zip(KEYS, entry, strict=False)), "told": entry.told,
-              "reached": entry.reached, "claims": entry.claims,
-              "fine_print_open": entry.fine_print_open,
-              "checks": [check._asdict() for check in entry.checks]} for entry in board]
+    lines = [{**entry._asdict(), "told": entry.told, "reached": entry.reached,
+              "claims": entry.claims, "checks": [check._asdict() for check in entry.checks]}
+             for entry in board]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"

@@ -13,8 +13,7 @@ from typing import NamedTuple
 from .. import exercises, places
 
 FILES = {"roster", "overrides", "people"}
-KEPT = ("labs", "task", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late",
-        "grace", "overrides", "people", "all_or_nothing", "count")
+OF_THIS_RUN = {"submissions", "out", "jobs", "resume", "isolation"}  # the rest is remembered
 
 
 class Request(NamedTuple):
@@ -84,7 +83,7 @@ def remembered(out) -> dict:
 
 def options(request):
     """{name: value} of what is remembered, in a form in which two of them can be compared."""
-    found = {name: getattr(request, name) for name in KEPT}
+    found = {name: value for name, value in request._asdict().items() if name not in OF_THIS_RUN}
     found["labs"] = found["labs"] and numbers(found["labs"])
     return found | {name: os.path.abspath(found[name]) for name in FILES if found[name]}
 

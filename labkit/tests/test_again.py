@@ -4,14 +4,13 @@ import shutil
 
 import pytest
 from graded import entry, exercise, result
-from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
+from small_course import grades, hand_in
 from submitted import put
 
 from labkit.grading import grade
 from labkit.grading.apart import running
 from labkit.grading.request import Request
 
-LAST = CHECKS.splitlines()[-1]
 DUE = "2026-11-22T23:59+00:00"
 METADATA = """\
 submission_{}:
@@ -21,34 +20,54 @@ submission_{}:
 """
 
 
-def test_all_that_is_in_the_tables_is_graded_again(house, run_module, tmp_path):
+RIGHT = {"broken": ("right", "wrong"), "mended": ("right",)}  # what passes by these checks
+
+
+@pytest.fixture
+def run(monkeypatch, tmp_path, capsys):
+    """run("mended", ada="right") -> what is printed where that is graded by these checks. Without
+    anybody, what the output folder keeps is graded again.
+    """
+    one = exercise("1.1", "f", 7)
+
+    def examine(job, line):
+        is_right = job.texts.get("transforms") in RIGHT[running.course_digest()]
+        return result(entry(one, "done" if is_right else "failing", topic="transforms")), {}
+
+    def graded_by(checks, **texts):
+        monkeypatch.setattr(running, "course_digest", lambda: checks)
+        shutil.rmtree(tmp_path / "in", ignore_errors=True)
+        hand_in(tmp_path, **texts)
+        assert grade.run(Request(tmp_path / "in" if texts else None, tmp_path / "out", "1",
+                                 isolation="process", resume=not texts)) == 0
+        return " ".join(capsys.readouterr().out.split())
+
+    monkeypatch.setattr(running, "examine", examine)
+    monkeypatch.setattr(grade, "rehearsed", lambda *_: {})
+    monkeypatch.setattr(grade, "asked_for", lambda request: (["transforms"], [one]))
+    return graded_by
+
+
+def test_all_that_is_in_the_tables_is_graded_again(run, tmp_path):
     """After a mended check, who is only in the late folder keeps the old mark, without a word."""
     out = tmp_path / "out"
-    again = "course", "grade", "--out", out
-    hand_in(tmp_path, ada=LAB, bob=LAB.replace("x / 2, x > 0", "x, x > 0"))
-    put(tmp_path, {"in/eve/readme.txt": "?"})
-    run_module(house(first_lab(checks=CHECKS.replace(LAST, "    impl.split(x)"))),
-               *grade_command(tmp_path))
-    assert grades(out)["bob"]["total"] == "7"
-    mended = house(first_lab())
-    shutil.rmtree(tmp_path / "in")
-    hand_in(tmp_path, zoe=LAB)
-    told = run_module(mended, *grade_command(tmp_path)).stdout
+    run("broken", ada="right", bob="wrong", eve="?")
+    assert [row["total"] for row in grades(out).values()] == ["7", "7", "0"]
     assert "graded by other checks than today's: ada, bob, eve; python3 -m course grade --out" in (
-        " ".join(told.split()))
-    done = run_module(mended, *again, "--isolation", "process", "--resume")
-    assert "3 submissions graded" in done.stdout and "1 were done before" in done.stdout
-    assert "other checks than today's" not in done.stdout
+        run("mended", zoe="right"))
+    done = run("mended")
+    assert "3 submissions graded" in done and "1 were done before" in done
+    assert "other checks than today's" not in done
     rows = grades(out)
     assert {name: row["total"] for name, row in rows.items()} == {
-        "ada": "7", "bob": "3", "eve": "0", "zoe": "7"}
-    assert len({row["checks"] for row in rows.values()}) == 1
+        "ada": "7", "bob": "0", "eve": "0", "zoe": "7"}
+    assert {row["checks"] for row in rows.values()} == {"mended"}
     with open(out / "changes.csv", encoding="utf-8-sig") as file:
-        assert [row[:2] + row[4:] for row in csv.reader(file)][1:] == [
-            ["bob", what, "other checks"] for what in ("1.3", "total", "after lateness")]
+        assert [*csv.reader(file)][1:] == [["bob", what, "7", "0", "other checks"]
+                                           for what in ("1.1", "total", "after lateness")]
     put(out, {"code/ada/transforms.py": "x = 1\n"})
-    refused = run_module(mended, *again, "--isolation", "process")
-    assert refused.returncode == 2 and "does not keep what was handed in by ada" in refused.stderr
+    with pytest.raises(ValueError, match="does not keep what was handed in by ada"):
+        run("mended")
 
 
 @pytest.fixture

@@ -1,5 +1,4 @@
 """labkit with a course of other exercises, alone in a folder: it knows nothing of ours."""
-import csv
 import os
 import re
 import shutil
@@ -9,6 +8,7 @@ import textwrap
 from pathlib import Path
 
 import pytest
+from small_course import grades
 
 from labkit.grading.apart import sandbox
 
@@ -144,7 +144,6 @@ def test_it_is_handed_out_checked_packed_and_graded(course, tmp_path):
     labkit(home, "pack", handed_in / "ada.zip")
     level, _ = sandbox.available()
     labkit(course, "grade", handed_in, "--out", tmp_path / "out", "--isolation", level)
-    with open(tmp_path / "out" / "grades.csv", encoding="utf-8-sig") as file:
-        [row] = csv.DictReader(file)
+    [row] = grades(tmp_path / "out").values()
     assert [row[name] for name in ("student", "1.1 merged", "1.2 merge_sort", "2.1 vowels")] == [
         "ada", "2", "0", "3"]

@@ -210,26 +210,10 @@ def test_a_test_run_that_breaks_off_spoils_the_board(house, run_here):
     assert "--nonsense" in done.stderr
 
 
-TWICE = '''\
-import os
-from pathlib import Path
-
-from labkit import board
-
-os.environ["PYTEST_ADDOPTS"] = "--collect-only"
-lab = Path("labs/rasterization.py")
-right = lab.read_text()
-for text in right.replace("2 *", "3 *"), right:
-    lab.write_text(text)
-    print("status", board.check("2"))
-'''
-
-
-def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
-    """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
-    done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
-    assert [line for line in lines(done.stdout) if line.startswith("status")] == [
-        "status 1", "status 0"], done.stdout + done.stderr
+def test_nobody_s_own_settings_for_pytest_change_the_verdict(check, monkeypatch):
+    """A PYTEST_ADDOPTS in the user's shell runs no check, and no board is as another."""
+    monkeypatch.setenv("PYTEST_ADDOPTS", "--collect-only")
+    assert "All that was asked for is done" in check("2").stdout
 
 
 def entry(number, verdict, *of_checks):
@@ -332,23 +316,13 @@ def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch)
     assert [one.number for one in board.in_lecture_order(entries)] == ["1.6", "1.3", "1.9", "2.1"]
 
 
-@pytest.mark.parametrize(("imports", "status", "sentence"), [
-    ("import json\nimport PIL.Image\n", 1, "labs/rasterization.py, line 2: PIL.Image is not there "
-     "when your labs are graded, so rasterization.py would lose all its 3 points; numpy, scipy"),
-    ("try:\n    import PIL.Image\nexcept ImportError:\n    pass\n", 0,
-     "labs/rasterization.py, line 2: PIL.Image is not there when your labs are graded; numpy"),
-    ("import matplotlib.pyplot as plt\n", 0, ""),
-], ids=["at the top", "in try", "matplotlib"])
-def test_an_import_that_graders_do_not_have_is_told_as_loudly_as_it_costs(
-        house, run_here, imports, status, sentence):
-    """On the board all is done, and the author learns from a mark of 0 that nothing could be run.
-    """
-    root = house(FILES | {"labs/rasterization.py": imports + SECOND})
+def test_an_import_that_may_fail_is_told_and_costs_nothing(house, run_here):
+    """On the board all is done, and graders have no PIL; or the lab counts as lost for it."""
+    tries = "try:\n    import PIL.Image\nexcept ImportError:\n    pass\n"
+    root = house(FILES | {"labs/rasterization.py": tries + SECOND})
     done = run_here(root, "course", "check", "2")
-    assert done.returncode == status and "All that was asked for is done" in done.stdout
-    assert sentence in (lines(done.stdout)[-1] if status else done.stdout)
-    packed = run_here(root, "course", "pack", root / "labs.zip")
-    assert done.stdout.count("graded") == packed.stdout.count("graded") == bool(sentence)
+    assert done.returncode == 0 and "labs/rasterization.py, line 2: PIL.Image is not there when " \
+                                    "your labs are graded; numpy" in done.stdout
 
 
 def test_every_row_of_the_course_fits_into_80_columns():

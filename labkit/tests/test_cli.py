@@ -41,9 +41,8 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),
     *((f"{name} {target}", f"upkeep.{name}.run", (target or None,), {}) for name, target in (
         ("mistakes", ""), ("mutants", ""), ("mutants", "2.3"))),
-    *((f"skeleton {option}", "upkeep.skeleton.run", (),
-       {"check": option == "--check", "force": option == "--force"})
-      for option in ("", "--check", "--force")),
+    ("skeleton", "upkeep.skeleton.run", (), {"force": False}),
+    ("skeleton --force", "upkeep.skeleton.run", (), {"force": True}),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],),
      {"everything": False}),
     ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
@@ -56,9 +55,9 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
      "--seconds 3 --extra", "grading.grade.run",
      (Request("in", "out", "1", 2, True, 7, "process", 3.0, True),), {}),
-    ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
+    ("grade --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
      "--overrides o.csv --people g.csv", "grading.grade.run",
-     (Request("in", "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
+     (Request(None, "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
               grace="G", overrides="o.csv", people="g.csv"),),
      {})])
 def test_a_command_calls_its_function_and_passes_its_status_on(

@@ -1,11 +1,10 @@
 """Core, extra, fine print: what is open, what counts, and what is told of the rest."""
-import csv
 import json
 import shutil
 
 import pytest
 from made_up import check_text, exercise_text
-from submitted import put
+from small_course import grade_command, grades, hand_in
 
 REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.1", "double", "Twice x.\n\n    Fine print. Of nothing it is nothing.\n    ",
@@ -41,7 +40,7 @@ def lab(root):
 def run(root, run_here, run_module):
     """run(...) -> what a command says there."""
     def run(*command, status=0):
-        run = run_module if command[0] in ("grade", "mutants") else run_here  # who start others
+        run = run_module if command[0] == "grade" else run_here  # which starts others
         done = run(root, "course", *command)
         assert done.returncode == status, done.stdout + done.stderr
         return " ".join((done.stdout + done.stderr).split())
@@ -119,24 +118,16 @@ def test_the_question_gives_the_points_and_the_fine_print_is_told(root, lab, run
     assert "1.1 double 0 of 2 failing" in run("check", status=1)
 
 
-def test_mutants_are_counted_by_kind(run):
-    """A mutant that only the fine print catches counts against the question, or for it."""
-    said = run("mutants")
-    assert "core 1 exercise 3 of 3 caught 100.0 %, 2 more by the fine print" in said, said
-    assert "extra 1 exercise" in said
-
-
 def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
     """An extra that came complete gives points to everybody."""
-    put(root, {"in/ada/transforms.py": ROUGH})
-    command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
-    table = root / "out" / "grades" / "grades.csv"
+    hand_in(root, ada=ROUGH)
+    _, *command = grade_command(root)
     run(*command)
-    row, = csv.DictReader(table.read_text(encoding="utf-8").splitlines())
+    row, = grades(root / "out").values()
     assert (row["total"], row["of"], row["fine print open"]) == ("2", "2", "1.1")
     assert "extras" not in row
-    page = (root / "out/grades/students/ada/report.html").read_text()
+    page = (root / "out/students/ada/report.html").read_text()
     assert "2 of 2 points" in page and "done, fine print open" in page
     run(*command, "--extra")
-    row, = csv.DictReader(table.read_text(encoding="utf-8").splitlines())
+    row, = grades(root / "out").values()
     assert (row["core"], row["extras"], row["total"], row["of"]) == ("2", "3", "5", "5")

@@ -375,15 +375,3 @@ def test_a_change_is_told_with_its_cause(before, now, rows):
     """A mark is another one than last week, and nobody can say why."""
     told = [row[1:] for row in worth.changes(graded("ada", **before), graded("ada", **now))]
     assert told[:len(rows)] == rows and bool(told) == bool(rows)
-
-
-def test_what_changed_is_written_and_said(tmp_path):
-    """The earlier points are overwritten before they are read."""
-    one = submission("ada")
-    for what in WRONG, RIGHT:
-        results = Results(tmp_path, book([one]), RUN)
-        results.add(one, 0, "", what, {})
-    assert tmp_path / "changes.csv" in results.close()
-    assert read_back((tmp_path / "changes.csv").read_bytes())[1] == [
-        "ada", "2.2", "0", "6", worth.SAME]
-    assert results.changed() == [f"ada: 10 points, 4 before: {worth.SAME}"]

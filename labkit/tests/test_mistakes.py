@@ -120,13 +120,14 @@ def with_hints(house, run_module):
     ("np.where(x == 2, 3 * x, 7 * x)", 4, ""),
 ], ids=["another way", "fine print open", "few numbers", "one check alone", "other numbers"])
 def test_a_mistake_is_named_where_all_checks_of_the_question_say_so(
-        with_hints, run_module, tmp_path, answer, width, told):
+        with_hints, run_here, monkeypatch, tmp_path, answer, width, told):
     """One check returns what a known mistake returns there, and a student is told of that mistake,
     which he did not make."""
-    (tmp_path / "transforms.py").write_text(
-        f"import numpy as np\n\n{DOUBLE}".replace("2 * x", answer), encoding="utf-8")
-    said = " ".join(run_module(with_hints(width), "course", "check", "1.1",
-                               "--impl", tmp_path).stdout.split())
+    root = with_hints(width)
+    made = json.loads((root / "tests/labs/hints.json").read_bytes())
+    monkeypatch.setattr(hints, "known_mistakes", lambda: made)
+    put(tmp_path, {"transforms.py": f"import numpy as np\n\n{DOUBLE}".replace("2 * x", answer)})
+    said = " ".join(run_here(root, "course", "check", "1.1", "--impl", tmp_path).stdout.split())
     assert told in said and ("comes out when" in said) == bool(told), said
 
 

@@ -81,7 +81,7 @@ def test_the_same_change_in_two_places_has_two_names():
 REFERENCE = "import itertools\n" + "".join((
     exercise_text("1.1", "double", "Twice x.", "return 2 * x", points=2),
     exercise_text("1.2", "count", "n.", "for k in itertools.count():", "    if k >= n:",
-                  "        return k", points=2, inputs="n"),
+                  "        return k", points=2, inputs="n", kind="extra"),
     exercise_text("1.3", "unseen", "x, or nothing below 0.", "return x if x > 0 else 0.0")))
 
 CHECKS = "import pytest\n\nfrom labkit.checks import assert_close, exercise\n" + "".join((
@@ -89,7 +89,9 @@ CHECKS = "import pytest\n\nfrom labkit.checks import assert_close, exercise\n" +
     check_text("1.1", "twice", "Once.", "assert_close(impl.double(x), two * x)",
                inputs="impl, two, x", marks=['@pytest.mark.parametrize("x", [0.0, 1.0])']),
     check_text("1.2", "counted", "Too many.", "assert_close(impl.count(3), 3)"),
-    check_text("1.3", "it_is_there", "No return.", "impl.unseen(1.0)")))
+    check_text("1.3", "it_is_there", "No return.", "impl.unseen(1.0)"),
+    check_text("1.3", "below_0", "It is seen.", "assert_close(impl.unseen(-1.0), 0.0)",
+               fine_print=True)))
 
 FILES = {"reference/transforms.py": REFERENCE, "tests/labs/test_transforms.py": CHECKS,
          "tests/equivalents/transforms.txt":
@@ -102,13 +104,14 @@ def test_what_lives_is_shown_with_its_line(house, run_module):
     goes on; an equivalent mutant counts."""
     tried = run_module(house(FILES), "course", "mutants", "1")
     assert tried.stderr == ""
-    rows = [line.split() for line in tried.stdout.splitlines()[:4]]
+    rows = [line.split() for line in tried.stdout.splitlines()[:5]]
     assert rows[0] == "1.1 double 5 of 5 caught 100.0 %".split()
     assert rows[1] == "1.2 count 4 of 4 caught 100.0 %".split()
-    assert rows[2] == "1.3 unseen 0 of 6 caught 0.0 %, and 1 equivalent".split()
-    assert rows[3][:3] == ["core", "3", "exercises"]
+    assert rows[2] == ("1.3 unseen 0 of 3 caught 0.0 %, 3 more by the fine print, and 1 equivalent"
+                       ).split()
+    assert [row[:2] for row in rows[3:]] == [["core", "2"], ["extra", "1"]]
     assert "1.3  x > 0 -> x >= 0\n" not in tried.stdout
-    assert "1.3  0.0 -> 0.1\n      lives, reference/transforms.py:18\n" in tried.stdout
+    assert "1.3  0 -> 1\n      lives, reference/transforms.py:18\n" in tried.stdout
     assert "1.3  no such change\n      is listed as equivalent, but is caught, or is no mutant" in (
         tried.stdout)
     assert tried.returncode == 1

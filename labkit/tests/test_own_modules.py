@@ -50,36 +50,6 @@ UNTAKEN = {"names_of_others": {"course.py", "given.py"},  # nothing imports them
            "named_as_a_lab": {"transforms_2.py"}}
 
 
-@pytest.fixture(scope="module")
-def classroom(house, run_here, run_module, tmp_path_factory):
-    """(the folder with results, {student: what pack printed}): zips that pack made, graded."""
-    folder, said = tmp_path_factory.mktemp("class"), {}
-    (folder / "in").mkdir()
-    for student, own in TAKEN.items():
-        root = house(first_lab() | {f"labs/{name}": text for name, text in own.files}
-                     | {"labs/__init__.py": "", "labs/transforms.py": own.lab})
-        run = run_module if "labs" in own.line else run_here  # which does not import from root
-        done = run(root, "course", "pack", folder / "in" / f"{student}.zip")
-        assert done.returncode == 0 and not done.stderr, done.stdout + done.stderr
-        said[student] = done.stdout
-    done = run_module(root, *grade_command(folder, isolation=sandbox.available()[0]))
-    assert done.returncode == 0, done.stdout + done.stderr
-    return folder / "out", said
-
-
-@pytest.mark.parametrize("student", TAKEN)
-def test_what_a_lab_imports_from_beside_it_is_packed_and_graded(classroom, student):
-    """All is done at home, and the mark is 0."""
-    out, said = classroom
-    row = grades(out)[student]
-    assert (row["total"], row["notes"]) == ("7", "")
-    assert "7 of 7 points" in said[student] and row["hash"] in said[student]
-    kept = {path.name: path.read_text() for path in (out / "code" / student).iterdir()}
-    taken = {name: text for name, text in TAKEN[student].files
-             if name not in UNTAKEN.get(student, ())}
-    assert kept == {"transforms.py": TAKEN[student].lab, **taken}
-
-
 ABSENT = "labs/norms.py, which is imported, is not beside the lab that imports it"
 REFUSED = {  # what lies beside a lab that gets no points, and what the notes or the report say
     "missing": (Own("from .norms import twice", files=()), ABSENT),
@@ -91,7 +61,7 @@ REFUSED = {  # what lies beside a lab that gets no points, and what the notes or
                     "No module named 'labs.__init__'"),
     "another_lab": (Own("from .sampling import twice", files=(("sampling.py", TWICE),)),
                     "No module named 'labs.sampling'"),
-    "absolute": (Own("from norms import twice"), "No module named 'norms'"),
+    "not_of_labs": (Own("from norms import twice"), "No module named 'norms'"),
     "of_the_course": (Own("from course.given.norms import twice"),
                       "No module named 'course.given.norms'"),
     "huge": (Own("from .norms import twice", files=(("norms.py", TWICE + "#" * (1 << 15)),)),
@@ -129,25 +99,53 @@ GRADED = {  # labs, what norms.py is, and their points
     "not_imported": (Own("", "2 * x").lab, "1 / 0", 7)}
 
 
-def test_what_cannot_be_taken_costs_its_own_points_and_is_told(house, run_module, tmp_path):
-    """A student's file takes the place of the course's, or the report does not say why it does not.
-    One exercise sees what another one left in a module; or a mistake costs the next one's points.
-    """
+@pytest.fixture(scope="module")
+def classroom(house, run_here, run_module, tmp_path_factory):
+    """(the folder with results, {student: what pack printed}): zips, some made by pack, graded."""
+    folder, said = tmp_path_factory.mktemp("class"), {}
     zips = {student: zipped([("a/labs/transforms.py", own.lab), *(
         (f"a/labs/{name}", text) for name, text in own.files)])
         for student, (own, _) in REFUSED.items()}
     zips |= {student: zipped([("transforms.py", lab), ("norms.py", text)])
              for student, (lab, text, _) in GRADED.items()}
-    put(tmp_path, {f"in/{student}.zip": content for student, content in zips.items()})
-    done = run_module(house(first_lab()), *grade_command(
-        tmp_path, "--seconds", 2, isolation=sandbox.available()[0]))
+    put(folder, {f"in/{student}.zip": content for student, content in zips.items()})
+    for student, own in TAKEN.items():
+        root = house(first_lab() | {f"labs/{name}": text for name, text in own.files}
+                     | {"labs/__init__.py": "", "labs/transforms.py": own.lab})
+        run = run_module if "labs" in own.line else run_here  # which does not import from root
+        done = run(root, "course", "pack", folder / "in" / f"{student}.zip")
+        assert done.returncode == 0 and not done.stderr, done.stdout + done.stderr
+        said[student] = done.stdout
+    done = run_module(root, *grade_command(folder, "--seconds", 2,
+                                           isolation=sandbox.available()[0]))
     assert done.returncode == 0, done.stdout + done.stderr
-    rows = grades(tmp_path / "out")
-    assert {student: int(row["total"]) for student, row in rows.items()} == {
+    return folder / "out", said
+
+
+@pytest.mark.parametrize("student", TAKEN)
+def test_what_a_lab_imports_from_beside_it_is_packed_and_graded(classroom, student):
+    """All is done at home, and the mark is 0."""
+    out, said = classroom
+    row = grades(out)[student]
+    assert (row["total"], row["notes"]) == ("7", "")
+    assert "7 of 7 points" in said[student] and row["hash"] in said[student]
+    kept = {path.name: path.read_text() for path in (out / "code" / student).iterdir()}
+    taken = {name: text for name, text in TAKEN[student].files
+             if name not in UNTAKEN.get(student, ())}
+    assert kept == {"transforms.py": TAKEN[student].lab, **taken}
+
+
+def test_what_cannot_be_taken_costs_its_own_points_and_is_told(classroom):
+    """A student's file takes the place of the course's, or the report does not say why it does not.
+    One exercise sees what another one left in a module; or a mistake costs the next one's points.
+    """
+    out, _ = classroom
+    rows = grades(out)
+    assert {student: int(rows[student]["total"]) for student in (*REFUSED, *GRADED)} == {
         student: 0 for student in REFUSED} | {
         student: points for student, (*_, points) in GRADED.items()}
     for student, (_, said) in REFUSED.items():
-        page = (tmp_path / "out" / "students" / student / "report.html").read_text("utf-8")
+        page = (out / "students" / student / "report.html").read_text("utf-8")
         assert said in html.unescape(page) and "cannot be imported" in page, student
 
 
@@ -213,10 +211,12 @@ def test_a_module_beside_the_labs_does_not_change_who_draws(house, monkeypatch):
 
 
 def test_the_course_itself_needs_nothing_that_is_not_there():
-    """Every student is told of a loss by what was handed out."""
+    """Every student is told of a loss by what was handed out. Or a topic imports one that comes
+    after it: the grader loads modules in their order, no exercise ends, and nothing says why.
+    """
     for topic in exercises.topics():
-        assert imports.not_there(topic, places.ROOT / "labs") == []
-        assert imports.not_there(topic, places.ROOT / "reference") == []
+        for folder in places.ROOT / "labs", exercises.reference(topic).parent:
+            assert imports.not_there(topic, folder) == []
 
 
 # --- from several things that were handed in --------------------------------------------------

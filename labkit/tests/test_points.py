@@ -1,5 +1,4 @@
 """Points by claims that hold: an exercise's share of them, and one sum in all that is written."""
-import csv
 import itertools
 
 import pytest
@@ -10,7 +9,6 @@ from labkit.grading.gradebook import tables, worth
 from labkit.grading.gradebook.book import Gradebook
 from labkit.grading.pages import report
 from labkit.grading.request import Request
-from labkit.grading.results import Results, Run
 
 EDGE, COVER = COLUMNS = [exercise("2.1", "edge", 4), exercise("2.2", "cover", 3)]
 
@@ -81,19 +79,13 @@ def test_all_that_is_written_has_the_same_half_points():
     assert worth.override_sentences(by_hand) == ["2.2: 2.5 instead of 1.5 by hand (x)"]
 
 
-def test_all_or_nothing_is_another_sum_of_the_same_checks(tmp_path):
+def test_all_or_nothing_is_another_sum_of_the_same_checks():
     """Everybody is graded again for it, a page keeps the other sum, or nobody can say why."""
-    ada, run = submission("ada"), Run(COLUMNS, "process", "", "c")
-    found = result(half_right(EDGE, "done", 2, 2), half_right(held=3))
-    Results(tmp_path, Gradebook(Request("in", "out"), [ada], COLUMNS), run).add(
-        ada, 0, "same", found, {})
-    strict = Gradebook(Request("in", "out", all_or_nothing=True), [ada], COLUMNS)
-    results = Results(tmp_path, strict, run)
-    assert results.keep(ada, "same")
-    results.close()
-    with open(tmp_path / "grades.csv", encoding="utf-8-sig") as file:
-        [row] = csv.DictReader(file)
-    assert (row["2.2 cover"], row["total"]) == ("0", "4")
-    page = (tmp_path / "students/ada/report.html").read_text("utf-8")
+    ada = record(submission("ada"), result(half_right(EDGE, "done", 2, 2), half_right(held=3)))
+    strict, by_share = (Gradebook(Request("in", "out", all_or_nothing=only), [ada.work],
+                                  COLUMNS).entered(ada) for only in (True, None))
+    cells, page = tables.line(strict, COLUMNS), report.page(strict, {}, "")
+    assert (cells["2.2 cover"], cells["total"]) == ("0", "4")
     assert "4 of 7 points" in page and "0 of 3 points: 3 of 5 claims hold" in page
-    assert results.changed() == ["ada: 4 points, 5.5 before: all or nothing"]
+    *_, left = worth.changes(by_share, strict)
+    assert left == ("ada", worth.LEFT, "5.5", "4", "all or nothing")

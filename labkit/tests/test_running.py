@@ -63,10 +63,12 @@ def test_a_step_of_a_check_that_takes_minutes_is_ended(house, run_module, tmp_pa
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are looked up in /proc")
-@pytest.mark.parametrize("late", [False, True])
-@pytest.mark.parametrize("stop", ["ctrl-c", "interrupt", "kill"])
+@pytest.mark.parametrize(("stop", "late"), [
+    ("ctrl-c", False), ("ctrl-c", True), ("interrupt", False), ("kill", True),
+    pytest.param("interrupt", True, marks=pytest.mark.weekly),
+    pytest.param("kill", False, marks=pytest.mark.weekly)])
 def test_a_run_that_is_stopped_ends_all_that_it_started(
-        late, stop, course, handed_in, run_module, tmp_path):
+        stop, late, course, handed_in, run_module, tmp_path):
     """A traceback, a worker that runs for ever, or a wait for the slowest; ada is graded again."""
     endless = handed_in / "eve_transforms.py"
     endless.write_text(ENDLESS)

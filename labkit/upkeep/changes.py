@@ -20,14 +20,13 @@ All is matched on syntax trees, so that spaces and line ends do not matter.
 import ast
 import builtins
 import copy
-import functools
 import re
+import symtable
 from typing import NamedTuple
 
 from .. import exercises, places
 
 PLACE = re.compile(r"(.*?)(?: \(#(\d+)\))?")
-NAME = {ast.Name: "id", ast.arg: "arg", ast.FunctionDef: "name"}  # the field with its name
 
 
 class Entry(NamedTuple):
@@ -170,37 +169,14 @@ def the_place(function, wanted):
     return found[max(0, wanted.which - 1)]
 
 
-# --- names ------------------------------------------------------------------------------------
-
-
-def names_in(*nodes):
-    """All names in nodes, of variables or not."""
-    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
-            if type(node) in NAME}
-
-
-def own_names(*nodes):
-    """The names that nodes bind: variables, parameters, inner functions."""
-    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
-            if type(node) in NAME and not isinstance(getattr(node, "ctx", None), ast.Load)}
-
-
-@functools.cache
-def outer_names(text):
-    """What the top level of a module's text names, and Python."""
-    body = ast.parse(text).body
-    inner = [node for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
-    imported = {alias.asname or alias.name for node in body
-                if isinstance(node, (ast.Import, ast.ImportFrom)) for alias in node.names}
-    return imported | {node.name for node in inner} | {*dir(builtins)} | names_in(
-        *(node for node in body if node not in inner))
-
-
-def used_names(wanted, outside):
-    """The variables of the function that Changes speak of: not those that they make themselves."""
-    old = names_in(*(node for one in wanted for node in one.old))
-    new = [node for one in wanted for node in one.new]
-    return (old | names_in(*new) - own_names(*new)) - outside
+def unknown_names(text, module):
+    """The names in the text of a function that neither it, its module's text nor Python has."""
+    found, tables = set(), [symtable.symtable(text, "a change", "exec")]
+    for table in tables:
+        tables += table.get_children()
+        found |= {*table.get_globals()} if table.get_type() == "function" else set()
+    there = symtable.symtable(module, "a module", "exec").get_identifiers()
+    return sorted(found - {*there, *dir(builtins)})
 
 
 # --- all of an exercise -----------------------------------------------------------------------
@@ -216,14 +192,11 @@ def wrong_functions(topic, exercise, listed):
     """[the text of the wrong function] of an exercise's Entries. ValueError: one matches nowhere.
     """
     function, texts = function_of(topic, exercise), []
-    outside = outer_names(exercises.read(exercises.reference(topic))) - own_names(function)
     for entry in listed:
-        wanted = read(entry)
-        unknown = sorted(used_names(wanted, outside) - names_in(function))
         try:
-            if unknown:
+            texts.append(changed(function, read(entry)))
+            if unknown := unknown_names(texts[-1], exercises.read(exercises.reference(topic))):
                 raise ValueError(f"{exercise.name} has no variable {unknown[0]}; write its name")
-            texts.append(changed(function, wanted))
         except ValueError as error:
             raise ValueError(f"{entry.place}: {error}") from None
     return texts
@@ -241,8 +214,5 @@ def again(text, entry):
 
 
 def read(entry):
-    """The Changes of an Entry."""
-    try:
-        return [change(text) for text in entry.changes]
-    except ValueError as error:
-        raise ValueError(f"{entry.place}: {error}") from None
+    """The Changes of an Entry. ValueError: one of its texts is none."""
+    return [change(text) for text in entry.changes]

@@ -37,8 +37,8 @@ class Mistake(NamedTuple):
     sentence: str
 
 
-def changed_functions(folder, topic):
-    """Yield (place, exercise, text, words) of tests/FOLDER/<topic>.txt.
+def listed(folder, topic):
+    """Yield (exercise, its Entries in tests/FOLDER/<topic>.txt, the texts of their functions).
 
     ValueError: an entry is of no exercise of the topic, or its changes have no place there.
     """
@@ -49,9 +49,14 @@ def changed_functions(folder, topic):
             raise ValueError(f"{entry.place}: {entry.number} is no exercise of {topic}; "
                              "give it the number of one")
     for exercise in asked:
-        listed = [entry for entry in entries if entry.number == exercise.number]
-        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
-        for entry, text in zip(listed, texts, strict=True):
+        own = [entry for entry in entries if entry.number == exercise.number]
+        yield exercise, own, changes.wrong_functions(topic, exercise, own)
+
+
+def changed_functions(folder, topic):
+    """Yield (place, exercise, text, words) of each Entry that is `listed`."""
+    for exercise, entries, texts in listed(folder, topic):
+        for entry, text in zip(entries, texts, strict=True):
             yield entry.place, exercise, text, entry.said
 
 
@@ -63,17 +68,13 @@ def library(topic):
             raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
                              'after "this is what comes out when"')
         found.append(Mistake(topic, exercise, text, sentence))
-    asked = exercises.topic_exercises(topic)
-    return sorted(found, key=lambda mistake: asked.index(mistake.exercise))
+    return found
 
 
 def twice(topic):
     """Yield the Mistake of each two changes, made one after the other; its sentence is both."""
-    entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
-    for exercise in exercises.topic_exercises(topic):
-        listed = [entry for entry in entries if entry.number == exercise.number]
-        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
-        for pair in itertools.combinations(zip(listed, texts, strict=True), 2):
+    for exercise, entries, texts in listed("mistakes", topic):
+        for pair in itertools.combinations(zip(entries, texts, strict=True), 2):
             both = [text for (_, text), (other, _) in (pair, pair[::-1])
                     for text in changes.again(text, other)]
             if both:

@@ -30,13 +30,10 @@ class Score(NamedTuple):
     then those that only the fine print catches, and those that are excused.
     """
 
-    mutants: int
-    caught: int
-    fine_print: int
-    known: int
-
-
-NONE = Score(0, 0, 0, 0)
+    mutants: int = 0
+    caught: int = 0
+    fine_print: int = 0
+    known: int = 0
 
 
 def equivalents(topic):
@@ -85,14 +82,14 @@ def run(target=None):
     labs, asked = exercises.asked_for(target)
     wanted = [(topic, exercise) for topic, exercises in labs.items() for exercise in exercises
               if exercise.number in asked]
-    scores, remarks = {"core": [NONE], "extra": [NONE]}, []
+    scores, remarks = {"core": [], "extra": []}, []
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # each thread waits for a process of its own
         judged = pool.map(lambda one: score(*one), wanted)
         for (_, exercise), (found, said) in zip(wanted, judged, strict=True):
             scores["extra" if exercise.is_extra else "core"].append(found)
             remarks += said
             print(row(exercise.number, exercise.name, found), flush=True)
-    for name, (_, *found) in scores.items():
+    for name, found in scores.items():
         if found:
             print(row(name, plural(len(found), "exercise"), together(found)))
     print(*remarks, sep="\n")

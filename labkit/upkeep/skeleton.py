@@ -20,15 +20,12 @@ class Lab(NamedTuple):
     state: str  # in step, stale (or not there), worked on
 
 
-def run(check: bool = False, force: bool = False) -> int:
-    """Make labs/ from reference/. With check, only say how the labs stand. -> exit status.
+def run(force: bool = False) -> int:
+    """Make labs/ from reference/ -> exit status.
 
     A lab that was worked on stays as it is. With force it is made anew, its text kept beside it.
     """
-    standing = labs()
-    if check:
-        return tell(standing)
-    made, refused = manifest(), False
+    standing, made, refused = labs(), manifest(), False
     manifest_path().parent.mkdir(exist_ok=True)
     for path, text, state in standing:
         if state == "worked on" and not force:
@@ -43,14 +40,6 @@ def run(check: bool = False, force: bool = False) -> int:
         made[path.name] = exercises.digest(text)
     places.write_whole(manifest_path(), f"{json.dumps(made, indent=2, sort_keys=True)}\n".encode())
     return int(refused)
-
-
-def tell(standing):
-    """Say how the labs stand -> 0 if all are in step."""
-    for path, _, state in standing:
-        advice = f": run {COMMAND} skeleton" if state == "stale" else ""
-        print(f"labs/{path.name}: {state}{advice}")
-    return int(any(state != "in step" for _, _, state in standing))
 
 
 def labs():

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from labkit import exercises
 from labkit.upkeep import weight
 
 ROOT = Path(__file__).parents[2]
@@ -132,16 +131,6 @@ def test_a_name_means_one_thing_in_the_reference(folders, twice):
                                 if path.stem != "tiny"
                                 for name in set(defined(path.read_text(encoding="utf-8"))))
     assert {name for name, count in found.items() if count > 1} == twice
-
-
-@pytest.mark.parametrize("topic", exercises.TOPICS)
-def test_a_topic_comes_after_all_that_it_imports(topic):
-    """The grader loads modules in this order: no exercise ends, and nothing says why."""
-    tree = ast.parse(exercises.read(exercises.reference(topic)))
-    siblings = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level]
-    needed = {name for node in siblings
-              for name in ([node.module] if node.module else [each.name for each in node.names])}
-    assert needed <= set(exercises.TOPICS[:exercises.TOPICS.index(topic)])
 
 
 def test_names_that_are_defined_are_found():

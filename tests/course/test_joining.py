@@ -2,7 +2,6 @@
 import json
 
 import numpy as np
-import pytest
 
 from labkit import exercises
 from labkit.lab_text import skeleton
@@ -25,21 +24,6 @@ def test_a_missing_lab_blocks_what_joins_it(tmp_path, run_module, pytestconfig):
 
 MESH = pipeline.make_mesh(np.eye(3), np.array([[0, 1, 2]]))
 SCENE = MESH, pipeline.Colours(np.eye(3)), pipeline.View(np.eye(4), 4, 3, np.zeros(3))
-
-
-def test_render_is_made_by_the_exercises(monkeypatch):
-    """A fit shows pictures and gradients that the student's own code has not made."""
-    picture, buffers = pipeline.render(*SCENE)
-
-    def not_written(*_):
-        raise NotImplementedError
-
-    monkeypatch.setattr(pipeline, "draw_backward", not_written)
-    with pytest.raises(NotImplementedError):
-        pipeline.render_backward(picture, buffers, *SCENE)
-    monkeypatch.setattr(pipeline, "draw", not_written)
-    with pytest.raises(NotImplementedError):
-        pipeline.render(*SCENE)
 
 
 def test_buffers_and_gradients_have_names_whatever_was_returned(monkeypatch):

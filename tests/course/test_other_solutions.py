@@ -37,11 +37,8 @@ def test_every_exercise_has_an_answer_that_is_not_the_references(topic):
 
 def users(topic):
     """The modules of reference/ that use a topic, in any number of steps, and itself."""
-    known, new = set(), {exercises.reference(topic)}
-    while new:
-        known |= new
-        new = {path for path in USES if USES[path] & new} - known
-    return known
+    return exercises.closure([exercises.reference(topic)],
+                             lambda used: [path for path in USES if used in USES[path]])
 
 
 def are_apart(one, other):

@@ -163,11 +163,7 @@ def needed(topics, *more) -> list[str]:
     ends = [*map(exercises.reference, topics), *lectures(topics), *more,
             *(exercises.complete(topic) for topic in exercises.topics()
               if exercises.lab_number(topic) in labs and exercises.complete(topic).exists())]
-    seen = set(ends)
-    while ends:
-        new = uses(ends.pop()) - seen
-        seen |= new
-        ends += new
+    seen = exercises.closure(ends, uses)
     return [topic for topic in exercises.topics() if exercises.reference(topic) in seen]
 
 
