@@ -41,11 +41,8 @@ def resolve(shade, request, background):
 
 
 def resolve_backward(grad_picture, shade, request, background):
-    grad_shade, grad_background = np.zeros(np.shape(shade)), np.zeros(np.shape(background))
-    for s, i, j in np.ndindex(request.shape):
-        share = grad_picture[i, j] / len(request)
-        if request[s, i, j] < 0:
-            grad_background += share
-        else:
-            grad_shade[request[s, i, j]] += share
-    return grad_shade, grad_background
+    # A picture is linear in its colours: unit colours show what each pixel has of each of them.
+    units = np.eye(len(shade) + 1)
+    shares = resolve(units[:-1], request, units[-1])
+    grads = np.einsum("ijk,ijc->kc", shares, grad_picture)
+    return grads[:-1], grads[-1]
