@@ -27,6 +27,23 @@ def as_pairs(impl, returned):
     return impl.Pairs(*map(np.asarray, returned))
 
 
+def opposite_corners(faces):
+    """What lies across each edge k of a face: the first corner of the other one of the edge's first
+    two third vertices, -1 for none. Faces that name a vertex twice do not count.
+    """
+    thirds = {}  # {edge: {third vertex: its first corner}}
+    for (f, k), vertex in np.ndenumerate(faces):
+        if len(set(faces[f])) == 3:
+            at_edge = thirds.setdefault(frozenset(faces[f]) - {vertex}, {})
+            at_edge.setdefault(vertex, 3 * f + k)
+    opposite = np.full(faces.shape, -1)
+    for (f, k), vertex in np.ndenumerate(faces):
+        first_two = [*thirds.get(frozenset(faces[f]) - {vertex}, {}).items()][:2]
+        if vertex in dict(first_two):
+            opposite[f, k] = next((corner for v, corner in first_two if v != vertex), -1)
+    return opposite
+
+
 def last_crossing(corners):
     """The edge by which y = 0 leaves a face, and where: corners (3, 3), w (x, y, 1) of each."""
     places = [crossing(corners[i], corners[j]) for i, j in EDGES]

@@ -7,18 +7,19 @@ from course.given import mesh
 from labkit.checks import assert_close, assert_equal
 
 LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-6, 0.5**0.5, 0.01  # as in the module
+TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 # A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.
 DOUBLE = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
 
 
-def outer(p):
-    """p p^T, number by number."""
-    return np.array([[p[i] * p[j] for j in range(4)] for i in range(4)])
-
-
 def planes_of(*rows):
     """The sum of the quadrics of planes, (1, 4, 4)."""
-    return sum(outer(np.array(row, float)) for row in rows)[None]
+    return sum(np.outer(row, row) for row in np.array(rows, float))[None]
+
+
+def corner_at(place):
+    """The quadric of three planes that meet at right angles there, (1, 4, 4)."""
+    return planes_of(*np.column_stack([np.eye(3), -place]))
 
 
 def each_of(*groups):
@@ -39,7 +40,7 @@ def quadrics_of(vertices, faces, weight=lambda a, b, c: 1):
         n = np.cross(b - a, c - a)
         n = n / np.linalg.norm(n)
         for vertex in face:
-            q[vertex] += weight(a, b, c) * outer(np.append(n, -n @ a))
+            q[vertex] += weight(a, b, c) * planes_of(np.append(n, -n @ a))[0]
     return q
 
 

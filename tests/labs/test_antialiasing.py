@@ -15,21 +15,6 @@ FOURTH = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)  # the vertex across e
 
 # --- topology ----------------------------------------------------------------------------------
 
-def opposite_by_search(faces):
-    """For each edge, the different third vertices at it and their first corners, face by face."""
-    sound = [len(set(face)) == 3 for face in faces.tolist()]
-    opposite = np.full(faces.shape, -1)
-    for f, k in itertools.product(range(len(faces)), range(3)):
-        ends, thirds = {faces[f, i] for i in EDGES[k]}, {}
-        for g, m in itertools.product(range(len(faces)), range(3)):
-            if sound[g] and {faces[g, i] for i in EDGES[m]} == ends:
-                thirds.setdefault(faces[g, m], 3 * g + m)
-        first_two = list(thirds)[:2]
-        if sound[f] and faces[f, k] in first_two and len(thirds) > 1:
-            opposite[f, k] = thirds[first_two[1 - first_two.index(faces[f, k])]]
-    return opposite
-
-
 @exercise("8.1")
 def test_two_faces_see_each_other_across_their_edge(impl):
     """The corner across is the face's own corner k, or the vertex or the face there. Edge k starts
@@ -42,7 +27,7 @@ def test_two_faces_see_each_other_across_their_edge(impl):
 @exercise("8.1")
 def test_in_a_tetrahedron_every_edge_has_a_corner_across(impl):
     """An edge from a to b is not found from b to a, or a closed surface has a boundary."""
-    assert_equal(impl.opposite_corners(TETRAHEDRON), opposite_by_search(TETRAHEDRON))
+    assert_equal(impl.opposite_corners(TETRAHEDRON), edges_in_space.opposite_corners(TETRAHEDRON))
 
 
 @exercise("8.1")
@@ -67,7 +52,7 @@ def test_a_surface_with_holes_is_that_of_a_search(impl, rng):
     """Vertices must be numbered in some order, or a corner across belongs to another edge."""
     _, faces = mesh.icosphere(20)
     faces = rng.permutation(30)[:12][faces[rng.permutation(20)[:14]]]
-    assert_equal(impl.opposite_corners(faces), opposite_by_search(faces))
+    assert_equal(impl.opposite_corners(faces), edges_in_space.opposite_corners(faces))
 
 
 @exercise("8.1", fine_print=True)
@@ -99,7 +84,7 @@ def test_faces_that_name_a_vertex_twice_do_not_count(impl):
 def test_topology_is_that_of_a_search(impl, rng, vertex_count):
     """Meshes with many faces at an edge, repeated and degenerate faces, and loose ones."""
     faces = rng.integers(0, vertex_count, (40, 3))
-    assert_equal(impl.opposite_corners(faces), opposite_by_search(faces))
+    assert_equal(impl.opposite_corners(faces), edges_in_space.opposite_corners(faces))
 
 
 @exercise("8.1", fine_print=True)

@@ -8,8 +8,6 @@ import simplification_meshes as meshes
 from course.given import mesh
 from labkit.checks import assert_equal, exercise
 
-TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-
 
 def heap(impl, vertices, faces, face_count):
     q, pairs = meshes.quadrics_of(vertices, faces), meshes.edges_of(faces)
@@ -79,10 +77,10 @@ def test_refused_pairs_are_counted_by_their_reason(impl):
     ring, q = np.array([[1, 2], [1, 3], [2, 3]]), meshes.quadrics_of(vertices, meshes.DOUBLE)
     got = impl.simplify_heap(vertices, meshes.DOUBLE, q, ring, 0)
     assert_equal(got[1:], (meshes.DOUBLE, [3, 0, 0]))
-    four, q = vertices[:4], meshes.quadrics_of(vertices[:4], TETRAHEDRON)
-    assert_equal(impl.simplify_heap(four, TETRAHEDRON, q, meshes.edges_of(TETRAHEDRON), 0)[1:],
-                 (TETRAHEDRON, [0, 6, 0]))
-    far = meshes.planes_of([1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 9])  # the corner (0, 0, -9)
+    four, faces = vertices[:4], meshes.TETRAHEDRON
+    q, pairs = meshes.quadrics_of(four, faces), meshes.edges_of(faces)
+    assert_equal(impl.simplify_heap(four, faces, q, pairs, 0)[1:], (faces, [0, 6, 0]))
+    far = meshes.corner_at(np.array([0, 0, -9.0]))
     got = impl.simplify_heap(vertices, meshes.DOUBLE, np.repeat(far, 5, 0), np.array([[0, 1]]), 0)
     assert_equal(got[1:], (meshes.DOUBLE, [0, 0, 1]))
 
@@ -99,8 +97,7 @@ def test_a_pair_that_is_refused_again_counts_again(impl, rng):
     near = next(pair for pair in pairs.tolist() if not {a, b} & {*pair} and around & {*pair})
     far = pairs[np.argmin((vertices[pairs] @ vertices[a]).max(1))]
     for pair in (a, b), far:  # they would like to be on the other side of the ball, far out
-        x, y, z = 9 * vertices[pair[0]]
-        q[list(pair)] = meshes.planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+        q[list(pair)] = meshes.corner_at(-9 * vertices[pair[0]])
     asked = np.array(sorted([[a, b], near, far.tolist()]))
     _, left, refused = impl.simplify_heap(vertices, faces, q, asked, 0)
     assert_equal((len(left), refused), (78, [0, 0, 3]))
@@ -116,10 +113,8 @@ def test_a_refused_pair_has_its_turn_when_an_end_has_changed(impl, rng):
     a, b = pairs[0].tolist()
     around = {*pairs[(pairs == a).any(1)].ravel().tolist()}
     c = next(v for pair in pairs.tolist() if b in pair for v in pair if v not in around)
-    x, y, z = 9 * vertices[a]      # a and b would like to be on the other side, at no cost,
-    q[[a, b]] = meshes.planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
-    x, y, z = -vertices[c]         # and c to stay, at any cost
-    q[c] = 1e4 * meshes.planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])[0]
+    q[[a, b]] = meshes.corner_at(-9 * vertices[a])  # to be on the other side, at no cost,
+    q[c] = 1e4 * meshes.corner_at(vertices[c])[0]   # and c to stay, at any cost
     asked = np.array(sorted([[a, b], sorted([b, c])]))
     _, left, refused = impl.simplify_heap(vertices, faces, q, asked, 0)
     assert_equal((len(left), refused), (316, [0, 0, 1]))
@@ -139,7 +134,7 @@ def test_an_open_surface_keeps_its_boundary(impl, rng):
         if ((faces == a) | (faces == b)).sum(1).tolist().count(2) == 1:
             n = np.array([vertices[b, 1] - vertices[a, 1], vertices[a, 0] - vertices[b, 0], 0])
             n /= np.linalg.norm(n)
-            boundary[[a, b]] += 100 * meshes.outer(np.append(n, -n @ vertices[a]))
+            boundary[[a, b]] += 100 * meshes.planes_of(np.append(n, -n @ vertices[a]))[0]
     for face_count in 40, 0:
         place, left, _ = impl.simplify_heap(vertices, faces, boundary, edges, face_count)
         assert_equal("none left" if len(left) == 0 else "some left", "some left")

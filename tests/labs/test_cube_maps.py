@@ -24,10 +24,6 @@ def place_of(d):
     return face, [(1 + s / m) / 2, (1 + t / m) / 2]
 
 
-def places_of(directions):
-    return np.array([place_of(d)[1] for d in directions])
-
-
 def some_directions(rng, count=24):
     """Random directions of many lengths, away from the cube's edges."""
     directions = rng.uniform(-0.8, 0.8, (count, 3))

@@ -1,6 +1,7 @@
 """What the exercises of lab 4 must do."""
 import numpy as np
 import pytest
+from seen_on_rays import seen_on_rays
 
 from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
@@ -104,15 +105,6 @@ def test_an_edge_between_two_samples_of_a_pixel(impl):
     assert_equal(face_index >= 0, covered[:, None].repeat(3, 1))
 
 
-def seen_by_hand(clip, faces, places, width, height):
-    """The nearest face at places (N, 2) on the screen, and its depth: by a linear system."""
-    rays = np.column_stack([2 * places / [width, height] - 1, np.ones(len(places))])
-    weights = np.stack([rays @ np.linalg.inv(corners[:, [0, 1, 3]]) for corners in clip[faces]])
-    depth = np.einsum("fnk,fk->fn", weights, clip[faces][..., 2])
-    depth[(weights < 0).any(-1)] = np.inf
-    return np.where(depth.min(0) < np.inf, depth.argmin(0), -1), depth.min(0)
-
-
 def crossing_faces(rng):
     """Random faces, w not 1, in 9 x 7 pixels of three samples: what rasterize_samples is given, and
     what it returns.
@@ -122,7 +114,7 @@ def crossing_faces(rng):
                           np.ones((12, 1))])
     faces, pattern = np.arange(12).reshape(4, 3), rng.uniform(size=(3, 2))
     corner = np.stack(np.meshgrid(np.arange(9), np.arange(7)), -1).reshape(-1, 2)
-    seen = [seen_by_hand(clip, faces, corner + offset, 9, 7) for offset in pattern]
+    seen = [seen_on_rays(corner + offset, clip, faces, 9, 7) for offset in pattern]
     face_index, depth = (np.reshape(part, (3, 7, 9)) for part in zip(*seen, strict=True))
     return (clip, faces, 9, 7, pattern), face_index, depth
 

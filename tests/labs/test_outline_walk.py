@@ -1,7 +1,17 @@
 """What the exercises of lab 8 that walk on to an outline must do."""
 import edges_in_space
 import numpy as np
-from edges_in_space import AROUND, CORNERS, EDGES, LEFT, as_pairs, in_space, pairs_around, soup
+from edges_in_space import (
+    AROUND,
+    CORNERS,
+    EDGES,
+    LEFT,
+    as_pairs,
+    in_space,
+    opposite_corners,
+    pairs_around,
+    soup,
+)
 
 from course.scenes.relaxation import split_in_four
 from labkit.checks import assert_close, assert_equal, exercise
@@ -98,19 +108,6 @@ def ribbon(*x):
     return (np.array(x) + 0.5, np.where(np.arange(len(x)) % 2, 2.5, -1.5), np.ones(len(x))), faces
 
 
-def opposite_of(faces):
-    """`opposite_corners` by search, of a mesh with at most two faces at an edge."""
-    corners = {}
-    for f, face in enumerate(faces.tolist()):
-        for k, (i, j) in enumerate(EDGES):
-            corners.setdefault(frozenset((face[i], face[j])), []).append(3 * f + k)
-    opposite = np.full(faces.size, -1)
-    for both in corners.values():
-        if len(both) == 2:
-            opposite[both] = both[::-1]
-    return opposite.reshape(faces.shape)
-
-
 def patch(rng, n=6, size=7.0):
     """A bumpless sheet of 2 n^2 faces over a picture of this size: screen, faces."""
     i, j = np.divmod(np.arange((n + 1)**2), n + 1)
@@ -179,7 +176,7 @@ RIBBON = ribbon(-0.75, -0.25, 0.0, 0.75, 0.75, 1.75, 2.0)
 def test_a_walk_goes_on_to_a_silhouette(impl):
     """It stops after its first step, or takes one step alone. Or it goes over the silhouette."""
     screen, faces = RIBBON
-    opposite = opposite_of(faces)
+    opposite = opposite_corners(faces)
     for last, c in (1, 0.375), (2, 0.75):
         silhouette = opposite // 3 == last + 1
         pairs = walked(impl, *np.array([[0], [1], [1]]), screen, faces, opposite, silhouette, 2)
@@ -190,7 +187,7 @@ def test_a_walk_goes_on_to_a_silhouette(impl):
 @exercise("8.13")
 def test_a_walk_ends_at_the_other_s_centre(impl):
     """It goes on after c >= 1, to a silhouette far away, or over the border of the mesh."""
-    opposite = opposite_of(RIBBON[1])
+    opposite = opposite_corners(RIBBON[1])
     pairs = walked(impl, *np.array([[0], [1], [1]]), *RIBBON, opposite, opposite < 0, 2)
     assert_equal(pairs.face, [3])
     assert_close(pairs.c, [1.25])
@@ -200,7 +197,7 @@ def test_a_walk_ends_at_the_other_s_centre(impl):
 def test_a_walk_ends_before_the_face_that_the_other_sees(impl):
     """It goes on over it, and what lies behind counts."""
     screen, faces = RIBBON
-    opposite = opposite_of(faces)
+    opposite = opposite_corners(faces)
     scene = *np.array([[0], [1], [1]]), screen, faces, opposite, opposite < 0, 2
     for goal in 2, 3:
         assert_equal(walked(impl, *scene, goal).face, [goal - 1])
@@ -212,7 +209,7 @@ def test_walks_are_those_of_a_search(impl, rng):
     first. Or the result is that of the first face."""
     for _ in range(3):
         screen, faces = patch(rng)
-        opposite = opposite_of(faces)
+        opposite = opposite_corners(faces)
         silhouette = (rng.random(faces.shape) < 0.15) | (opposite < 0)
         scene = screen, faces, opposite, silhouette, 7
         owner, other, face = walkers(rng, screen, faces, 40)
@@ -229,7 +226,7 @@ def test_walks_are_those_of_a_search(impl, rng):
 def test_all_that_belongs_to_the_edge_comes_along(impl, rng):
     """ends, x and y are still those of the first face, or owner and other change."""
     screen, faces = patch(rng)
-    opposite = opposite_of(faces)
+    opposite = opposite_corners(faces)
     owner, other, face = walkers(rng, screen, faces, 40)
     pairs = walked(impl, owner, other, face, screen, faces, opposite, opposite < 0, 7)
     assert_equal((pairs.owner, pairs.other), (owner, other))
@@ -243,7 +240,7 @@ def test_all_that_belongs_to_the_edge_comes_along(impl, rng):
 def test_a_walk_that_no_edge_begins_is_over(impl):
     """A division by 0, an error, or a pair that is left out."""
     (x, y, w), faces = RIBBON
-    opposite = opposite_of(faces)
+    opposite = opposite_corners(faces)
     one = np.array([[0], [1], [0]])
     pairs = walked(impl, *one, (x, y + 9, w), faces, opposite, opposite < 0, 2)
     assert_equal(pairs.c, [-np.inf])
@@ -290,7 +287,7 @@ def seen(clip, faces, size):
 def beside(impl, clip, faces):
     """The outlines of a scene of two pixels."""
     faces = np.array(faces)
-    return outlines_of(impl, *seen(clip, faces, (2, 1)), clip, faces, opposite_of(faces))
+    return outlines_of(impl, *seen(clip, faces, (2, 1)), clip, faces, opposite_corners(faces))
 
 
 @exercise("8.14")
@@ -333,7 +330,8 @@ def test_surfaces_that_pass_through_each_other_are_the_others(impl):
     clip = np.concatenate([ndc(x, y, np.array(x) * 0.1 - 0.1, (2, 1)),
                            ndc(x, y, 0.08 - np.array(x) * 0.08, (2, 1))])
     faces = np.array([[0, 1, 2], [3, 4, 5]])
-    outlines, others = both_of(impl, *seen(clip, faces, (2, 1)), clip, faces, opposite_of(faces))
+    picture = seen(clip, faces, (2, 1))
+    outlines, others = both_of(impl, *picture, clip, faces, opposite_corners(faces))
     assert_equal((outlines[0].shape, others[:2]), ((0,), ([1], [0])))
 
 
@@ -345,7 +343,7 @@ def test_where_surfaces_do_not_pass_through_each_other_there_are_no_others(impl)
     faces = np.array([[0, 1, 2], [2, 1, 3]])
     for face_index in [[0, 1]], [[0, -1]], [[-1, 1]]:
         picture = np.array(face_index), np.where(np.array(face_index) < 0, np.inf, 0.5)
-        _, others = both_of(impl, *picture, clip, faces, opposite_of(faces))
+        _, others = both_of(impl, *picture, clip, faces, opposite_corners(faces))
         assert_equal(others[0].shape, (0,))
 
 
@@ -378,7 +376,7 @@ def test_faces_of_any_size_have_the_outlines_of_the_whole(impl, rng):
         expected = expected_outlines(*seen(clip, faces, (9, 7)), clip, faces)
         for _ in range(2):
             clip, faces = split_in_four(clip, faces)
-        got = outlines_of(impl, *seen(clip, faces, (9, 7)), clip, faces, opposite_of(faces))
+        got = outlines_of(impl, *seen(clip, faces, (9, 7)), clip, faces, opposite_corners(faces))
         assert_close(got, expected)
 
 

@@ -2,6 +2,7 @@
 from fractions import Fraction
 
 import numpy as np
+from seen_on_rays import seen_on_rays
 
 from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
@@ -517,14 +518,9 @@ def test_a_heap_of_faces_is_seen_ray_by_ray(impl, rng):
     """
     clip, faces = clip_triangles(rng, 12, behind=False)
     face_index, depth = impl.rasterize(clip, faces, 9, 7)
-    rays = np.append(centres(9, 7) / [4.5, 3.5] - 1, np.ones((7, 9, 1)), -1)
-    found = np.full((12, 7, 9), np.inf)
-    for f, corners in enumerate(clip[faces]):
-        weights = rays @ np.linalg.inv(corners[:, [0, 1, 3]])
-        z = weights @ corners[:, 2]
-        found[f] = np.where((weights > 0).all(-1) & (np.abs(z) <= 1), z, np.inf)
-    assert_close(depth, found.min(0), atol=1e-9)
-    assert_picture(face_index, np.where(np.isfinite(found.min(0)), found.argmin(0), -1))
+    expected = seen_on_rays(centres(9, 7).reshape(-1, 2), clip, faces, 9, 7)
+    assert_close(depth, expected[1].reshape(7, 9), atol=1e-9)
+    assert_picture(face_index, expected[0].reshape(7, 9))
 
 
 @exercise("2.6")

@@ -325,7 +325,6 @@ def test_a_face_without_area_counts_for_nothing(impl):
     assert_close(areas, [4.0, 4.0, 4 / 3, 8 / 3, 0.0])
 
 
-
 def matrix(entries, vertex_count):
     """Rows, columns and values of entries as a full matrix."""
     if len(entries) != 3:
@@ -427,16 +426,6 @@ def test_what_has_no_mass_has_no_part_in_the_gradient(impl):
 
 # --- smoothing ---------------------------------------------------------------------------------
 
-def wave(k):
-    """A cosine and a sine with k periods around RING: (8, 2), eigenvectors of L."""
-    phase = 2 * np.pi * k * np.arange(8) / 8
-    return (k + 1) * np.stack([np.cos(phase), np.sin(phase)], 1)
-
-
-WAVES = np.array([wave(k) for k in range(5)])                    # of L with weights 1 they have
-EIGENVALUES = 2 - 2 * np.cos(2 * np.pi * np.arange(5) / 8)
-
-
 @exercise("13.8")
 def test_implicit_smoothing_on_paper(impl):
     """The mass is left out on the left, on the right, or on both sides. It multiplies L, or divides
@@ -482,10 +471,6 @@ def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
     centre = np.average(x, axis=0, weights=mass)
     got = impl.smooth_implicit(x, RING, np.ones(8), mass, 1e9)
     assert_close(got, np.tile(centre, (8, 1)), rtol=1e-5, atol=1e-5)
-
-
-PAIRS = np.array([[1.0], [7.0], [50.0], [-14.0], [9.0]]), np.array([[0, 1], [2, 3]]), np.array(
-    [2.0, 0.75]), np.array([1.0, 2.0, 2.0, 6.0, 5.0])  # x, edges, weights, mass
 
 
 # --- the volume --------------------------------------------------------------------------------

@@ -34,9 +34,7 @@ def test_collapses_are_those_of_a_search(impl, rng):
     """Right for a few faces alone, or for a < b."""
     for a, b in rng.permuted(np.tile(np.arange(12), (5, 1)), axis=1)[:, :2].tolist():
         faces = rng.permuted(rng.permutation(12)[mesh.icosphere(20)[1]], axis=1)
-        kept = [[a if v == b else v for v in face] for face in faces.tolist()
-                if not {a, b} <= {*face}]
-        assert_equal(impl.collapse_faces(faces, a, b), np.array(kept))
+        assert_equal(impl.collapse_faces(faces, a, b), np.array(collapsed(faces, (a, b))))
 
 
 # --- quadrics ----------------------------------------------------------------------------------
@@ -55,7 +53,7 @@ def test_one_quadric_for_each_plane(impl, rng):
     """The matrices of all planes are summed into one. Leading axes are lost, or only one is
     understood. All axes are transposed (.T), not the last two. Planes are mixed with each other."""
     p = rng.normal(size=(3, 2, 4))
-    expected = [[meshes.outer(plane) for plane in row] for row in p]
+    expected = [[np.outer(plane, plane) for plane in row] for row in p]
     assert_close(impl.plane_quadrics(p), expected)
 
 
@@ -63,7 +61,7 @@ def test_one_quadric_for_each_plane(impl, rng):
 def test_an_error_on_paper(impl):
     """The 1 after x is missing, 0, or comes first. 2 b.x lacks its factor 2, or it or c is left
     out. It is the distance, not its square. Q v is squared, or not multiplied by v."""
-    q = meshes.outer(np.array([2.0, -1.0, 3.0, -4.0]))
+    q = meshes.planes_of([2, -1, 3, -4])[0]
     assert_close(impl.quadric_error(q, np.array([3.0, 1.0, 2.0])), 49.0)
     assert_close(impl.quadric_error(q, np.array([1.0, 1.0, 1.0])), 0.0)
 
@@ -161,7 +159,7 @@ def test_an_open_sheet_face_by_face_and_edge_by_edge(impl, rng):
     expected = meshes.quadrics_of(vertices, faces, area_of)
     for i, j, plane in boundary_of(vertices, faces):
         length = np.linalg.norm(vertices[j] - vertices[i])
-        expected[[i, j]] += 10 * length**2 * meshes.outer(plane)
+        expected[[i, j]] += 10 * length**2 * np.outer(plane, plane)
     assert_close(impl.surface_quadrics(vertices, faces), expected)
 
 
@@ -200,7 +198,7 @@ def test_no_point_of_the_segment_is_better(impl, rng):
     """t has a wrong sign or a factor 2, for planes in general position. Only the diagonal of A
     counts."""
     p = rng.normal(size=(6, 5, 4))
-    q = np.array([sum(map(meshes.outer, planes)) for planes in p])
+    q = meshes.each_of(*p)
     a, b = rng.normal(size=(2, 6, 3))
     place, unique = impl.best_on_segment(q, a, b)
     assert_equal(unique, np.ones(6, bool))
@@ -334,8 +332,7 @@ def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
 def test_a_tetrahedrons_edges_share_the_thirds_of_both_faces(impl):
     """Only the first face at the edge is looked at: the third vertex of the second one is missing.
     No vertex may be shared, or only one."""
-    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    pairs = [(0, 1), (2, 1), (3, 0), (1, 3)]
+    faces, pairs = meshes.TETRAHEDRON, [(0, 1), (2, 1), (3, 0), (1, 3)]
     assert_equal(asked(impl, faces, pairs), np.full(4, True), given(faces, pairs))
 
 
@@ -458,8 +455,7 @@ def assert_refused(impl, vertices, faces, pairs, places, expected):
     """expected: the reasons, each a number from 0 to 3."""
     got = [impl.why_refused(vertices, faces, a, b, place)
            for (a, b), place in zip(pairs, places, strict=True)]
-    told = f"faces={faces.tolist()}, for each of the pairs a, b in {[list(pair) for pair in pairs]}"
-    assert_equal(np.array(got), np.array(expected), told)
+    assert_equal(np.array(got), np.array(expected), given(faces, pairs))
 
 
 PYRAMID = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])  # of DOUBLE
@@ -484,8 +480,7 @@ def test_the_ring_of_a_double_pyramid_is_refused_by_the_link_condition(impl):
 @exercise("12.10")
 def test_the_edges_of_a_tetrahedron_leave_twins(impl):
     """Twins are not looked for, or among the faces before the collapse."""
-    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    pairs = [(0, 1), (2, 1), (2, 0)]
+    faces, pairs = meshes.TETRAHEDRON, [(0, 1), (2, 1), (2, 0)]
     for count in 4, 3:  # of three vertices: a triangle, closed by `outside`
         assert_refused(impl, PYRAMID[:count], faces, pairs, PYRAMID[[0, 2, 2]], [2, 2, 2])
 
@@ -603,8 +598,7 @@ def refused_and_next(rng):
     good = next(pair for pair in allowed if not near(faces, bad, pair))
     errors[list(good)] = 8, 11
     q = constant(errors)
-    x, y, z = 9 * vertices[bad[0]]
-    q[list(bad)] = meshes.planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+    q[list(bad)] = meshes.corner_at(-9 * vertices[bad[0]])
     return vertices, faces, q, bad, good
 
 

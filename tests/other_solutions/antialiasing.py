@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from reference.antialiasing import Pairs, ends_backward
+from reference.antialiasing import Pairs, crossing_backward, ends_backward
 
 
 def opposite_corners(faces):
@@ -39,25 +39,11 @@ def silhouette_edges(x, y, w, faces, across):
     return silhouette
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
-    def by_first(x0, y0, x1, y1):
-        height = y1 - y0
-        height = height + np.where(height > 0, epsilon, -epsilon)
-        c = (x0 * y1 - x1 * y0) / height
-        return grad_c * y1 / height, grad_c * (c - x1) / height
-
-    return (*by_first(x0, y0, x1, y1), *by_first(x1, y1, x0, y0))
-
-
 def blend_pairs(colour, pairs):
     before = np.array(colour, float).reshape(-1, np.shape(colour)[2])
     after = before.copy()
     for a, b, c in zip(*Pairs(*pairs)[:3], strict=True):
-        share = 0.5 - min(max(c, 0), 1)
-        if share > 0:
-            after[a] += share * (before[b] - before[a])
-        else:
-            after[b] -= share * (before[a] - before[b])
+        after[a if c < 0.5 else b] += (0.5 - min(max(c, 0), 1)) * (before[b] - before[a])
     return after.reshape(np.shape(colour))
 
 

@@ -29,22 +29,15 @@ def barycentrics_derivatives(face_index, clip, faces):
 
 
 def interpolate(attributes, faces, face_index, barycentric):
-    height, width = face_index.shape
-    rows = []
-    for i in range(height):
-        for j in range(width):
-            face = face_index[i, j]
-            rows.append(np.zeros(attributes.shape[1]) if face < 0
-                        else barycentric[i, j] @ attributes[faces[face]])
-    return np.reshape(rows, (height, width, attributes.shape[1]))
+    rows = [np.zeros(attributes.shape[1]) if face < 0 else weights @ attributes[faces[face]]
+            for face, weights in zip(face_index.ravel(), barycentric.reshape(-1, 3), strict=True)]
+    return np.reshape(rows, (*face_index.shape, attributes.shape[1]))
 
 
 def interpolate_backward(grad_output, attributes, faces, face_index, barycentric):
-    grad_attributes, grad_barycentric = np.zeros(attributes.shape), np.zeros(barycentric.shape)
-    for i, j in np.argwhere(face_index >= 0):
-        corners = faces[face_index[i, j]]
-        shares = np.outer(barycentric[i, j], grad_output[i, j])
-        grad_attributes += sum(np.outer(np.arange(len(attributes)) == vertex, share)
-                               for vertex, share in zip(corners, shares, strict=True))
-        grad_barycentric[i, j] = attributes[corners] @ grad_output[i, j]
-    return grad_attributes, grad_barycentric
+    # Unit attributes show what a pixel has of each vertex, unit weights what a corner has.
+    shares = interpolate(np.eye(len(attributes)), faces, face_index, barycentric)
+    corners = [interpolate(attributes, faces, face_index, np.broadcast_to(unit, barycentric.shape))
+               for unit in np.eye(3)]
+    return (np.einsum("ijv,ijc->vc", shares, grad_output),
+            np.einsum("kijc,ijc->ijk", corners, grad_output))

@@ -1,4 +1,4 @@
-"""Lab 17 once more: by NumPy, sorting and other orders of the same loops."""
+"""Lab 17 once more: by NumPy, and by sorting."""
 import numpy as np
 
 from reference.kernels import invert_face
@@ -26,12 +26,7 @@ def tile_lists(boxes, size, across, down):
 
 def gathered(start, item, values):
     total = np.zeros((len(start) - 1, values.shape[1]))
-    for channel, column in enumerate(values.T):
-        for k in range(len(total)):
-            s = 0.0
-            for n in item[start[k]:start[k + 1]]:
-                s += column[n]
-            total[k, channel] = s
+    np.add.at(total, np.repeat(np.arange(len(total)), np.diff(start)), values[item])
     return total
 
 

@@ -6,21 +6,6 @@ import numpy as np
 from reference import rasterization
 
 
-def lattice(count, step):
-    pattern, row = [], 0
-    for s in range(count):
-        row = (row + step) % (count + 1)
-        pattern.append(((2 * s + 1) / (2 * count), (2 * row - 1) / (2 * count)))
-    return pattern
-
-
-def centre_sample(clip, offset, width, height):
-    moved = np.array(clip, order="F")
-    for k, size in enumerate((width, height)):
-        moved[:, k] += moved[:, 3] * ((1 - 2 * offset[k]) / size)
-    return moved
-
-
 def rasterize_samples(clip, faces, width, height, pattern):
     n = len(pattern)
     face_index, depth = np.full((n, height, width), -1), np.full((n, height, width), np.inf)
@@ -30,10 +15,6 @@ def rasterize_samples(clip, faces, width, height, pattern):
         shear[:2, 3] = step
         face_index[s], depth[s] = rasterization.rasterize(clip @ shear.T, faces, width, height)
     return face_index, depth
-
-
-def box_resolve(picture, n):
-    return sum(picture[i::n, j::n] for i in range(n) for j in range(n)) / n**2
 
 
 def shading_requests(face_index):
@@ -60,11 +41,8 @@ def resolve(shade, request, background):
 
 
 def resolve_backward(grad_picture, shade, request, background):
-    grad_shade, grad_background = np.zeros(np.shape(shade)), np.zeros(np.shape(background))
-    for s, i, j in np.ndindex(request.shape):
-        share = grad_picture[i, j] / len(request)
-        if request[s, i, j] < 0:
-            grad_background += share
-        else:
-            grad_shade[request[s, i, j]] += share
-    return grad_shade, grad_background
+    # A picture is linear in its colours: unit colours show what each pixel has of each of them.
+    units = np.eye(len(shade) + 1)
+    shares = resolve(units[:-1], request, units[-1])
+    grads = np.einsum("ijk,ijc->kc", shares, grad_picture)
+    return grads[:-1], grads[-1]

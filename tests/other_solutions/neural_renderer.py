@@ -1,13 +1,7 @@
 """Lab 10's maps once more: point by point, with cyclic sums for cross products."""
 import numpy as np
 
-from reference.neural_renderer import (
-    covers,
-    face_inverse,
-    front_faces,
-    on_screen,
-    screen_weights_and_depth,
-)
+from reference import neural_renderer as lab
 
 
 def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
@@ -28,13 +22,13 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y)
 def rasterize(corners, width, height, near=0.1, far=100.0):
     face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
     weight = np.zeros((height, width, 3))
-    screen, z = on_screen(corners, width, height), corners[..., 2]
-    kept = np.flatnonzero(front_faces(screen, z))
-    inverse = face_inverse(screen[kept])
+    screen, z = lab.on_screen(corners, width, height), corners[..., 2]
+    kept = np.flatnonzero(lab.front_faces(screen, z))
+    inverse = lab.face_inverse(screen[kept])
     for i, j in np.ndindex(height, width):
         x, y = np.full((2, len(kept)), [[j + 0.5], [i + 0.5]])
-        w, d = screen_weights_and_depth(inverse, z[kept], x, y)
-        d = np.where(covers(screen[kept], x, y) & (d > near) & (d < far), d, np.inf)
+        w, d = lab.screen_weights_and_depth(inverse, z[kept], x, y)
+        d = np.where(lab.covers(screen[kept], x, y) & (d > near) & (d < far), d, np.inf)
         if len(kept) and np.isfinite(d).any():
             n = d.argmin()
             face_index[i, j], weight[i, j], depth[i, j] = kept[n], w[n], d[n]

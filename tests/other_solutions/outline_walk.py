@@ -1,32 +1,14 @@
 """Lab 8's walk once more: one walker after the other."""
 import numpy as np
 
-from course.given.arrays import EDGES
-from reference.antialiasing import Pairs, crossing, pair_frame
+from reference.antialiasing import Pairs
+from reference.outline_walk import enter_faces
 from reference.outlines import all_silhouettes, leave_faces, neighbours
 
 
 def joined(found):
     """One Pairs of those of one pair each."""
     return Pairs(*(np.concatenate(parts, -1) for parts in zip(*found, strict=True)))
-
-
-def enter_faces(owner, other, corner, screen, faces, width):
-    found = []
-    for n, number in enumerate(corner):
-        face, entered = divmod(int(number), 3)
-        one = slice(n, n + 1)
-        screen_x, screen_y, w = (values[faces[face]] for values in screen)
-        x, y = pair_frame(screen_x[:, None], screen_y[:, None], owner[one], other[one], width)
-        above = np.sign(w) * y[:, 0] >= 0
-        edge = next(k for k in range(3) if k != entered
-                    and above[EDGES[k][0]] != above[EDGES[k][1]])
-        i, j = EDGES[edge]
-        is_seen = np.sign(w[i]) * abs(y[j]) + np.sign(w[j]) * abs(y[i]) > 0
-        c = crossing(x[i], y[i], x[j], y[j]) if is_seen else np.full(1, np.inf)
-        found.append(Pairs(owner[one], other[one], c, faces[face, [i, j]][:, None], x[[i, j]],
-                           y[[i, j]], np.array([face]), np.array([edge])))
-    return joined(found) if found else leave_faces(owner, other, corner, screen, faces, width)
 
 
 def walk(pairs, goal, screen, faces, opposite, silhouette, width):

@@ -1,32 +1,15 @@
-"""Lab 2 once more: brute force, complex numbers, and linear systems for areas."""
+"""Lab 2 once more: brute force, sample by sample."""
 import numpy as np
 
-from reference.rasterization import EDGES, is_top_left, screen_points, signed_area
-
-
-def edge_function(p, a, b):
-    # From the higher end; of equally high ones, from the right one.
-    p, a, b = np.broadcast_arrays(p, a, b)
-    e = np.empty(p.shape[:-1])
-    for index in np.ndindex(e.shape):
-        x, y = max(a[index].tolist(), b[index].tolist(), key=lambda end: (end[1], end[0]))
-        n_x, n_y = a[index][1] - b[index][1], b[index][0] - a[index][0]
-        e[index] = n_x * (p[index][0] - x) + n_y * (p[index][1] - y)
-    return e[()]
-
-
-
-
-def screen_weights(p, triangle):
-    system = np.vstack([np.transpose(triangle), np.ones(3)])
-    right = np.concatenate([p, np.ones((*np.shape(p)[:-1], 1))], -1)
-    return np.linalg.solve(system, right[..., None])[..., 0]
+from reference.rasterization import EDGES, edge_function, is_top_left, screen_points, signed_area
 
 
 def cover(p, triangle, z):
     # Sample by sample; either all e are right for the winding, or none is.
     covered, depth = np.zeros(np.shape(p)[:-1], bool), np.zeros(np.shape(p)[:-1])
     turned = np.sign(signed_area(triangle))
+    corners = np.column_stack([triangle, np.ones(3)])
+    plane = np.linalg.solve(corners, z - z[0]) if turned else np.zeros(3)
     for index in np.ndindex(covered.shape):
         owned = [turned != 0]
         for first, second in EDGES:
@@ -34,7 +17,7 @@ def cover(p, triangle, z):
             e, n_x, n_y = (turned * number for number in (
                 edge_function(p[index], a, b), a[1] - b[1], b[0] - a[0]))
             owned.append(e > 0 or (e == 0 and is_top_left(n_x, n_y)))
-        depth[index] = z[0] + screen_weights(p[index], triangle) @ (z - z[0]) if turned else 0
+        depth[index] = z[0] + np.append(p[index], 1) @ plane
         covered[index] = all(owned) and -1 <= depth[index] <= 1
     return covered, depth
 

@@ -7,40 +7,26 @@ from reference.reconstruction import sh_basis, sh_basis_backward
 
 
 def shade_backward(grad_colour, albedo, normals, light):
-    grad_albedo, grad_normals = np.zeros(np.shape(albedo)), np.zeros(np.shape(normals))
-    grad_light = np.zeros(np.shape(light))
-    for v, n in enumerate(normals):
-        for c in range(grad_light.shape[1]):
-            reached = grad_colour[v, c] * albedo[v, c]
-            grad_albedo[v, c] = grad_colour[v, c] * (sh_basis(n) @ light[:, c])
-            grad_light[:, c] += reached * sh_basis(n)
-            grad_normals[v] += reached * sh_basis_backward(light[:, c], n)
-    return grad_albedo, grad_normals, grad_light
-
-
-def crossing_matrix(v):
-    """The matrix whose product with u is v x u."""
-    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    basis, reached = sh_basis(normals), grad_colour * albedo
+    by_colour = [sh_basis_backward(np.outer(*one), normals)
+                 for one in zip(reached.T, light.T, strict=True)]
+    return (grad_colour * np.einsum("vk,kc->vc", basis, light), sum(by_colour),
+            np.einsum("vk,vc->kc", basis, reached))
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):
-    m = np.zeros(np.shape(vertices))
+    m, grad_m, grad_vertices = np.zeros((3, *np.shape(vertices)))
     for face in faces:
         a, b, c = vertices[face]
-        for v in face:
-            m[v] += np.cross(a, b) + np.cross(b, c) + np.cross(c, a)
-    grad_m = np.zeros(m.shape)
+        m[face] += np.cross(b - a, c - a)
     for v, length in enumerate(np.sqrt((m**2).sum(1))):
         if length > 0:
             n = m[v] / length
             grad_m[v] = (np.eye(3) - np.outer(n, n)) @ grad_normals[v] / length
-    grad_vertices = np.zeros(m.shape)
     for face in faces:
-        grad_sum = grad_m[face].sum(0)
-        for k in range(3):  # a x b + b x c + c x a = ... + a x (b - c): by a, the transpose
-            _, after, before = np.roll(face, -k)
-            turned = crossing_matrix(vertices[before] - vertices[after])
-            grad_vertices[face[k]] += turned.T @ grad_sum
+        for k in range(3):  # a x b + b x c + c x a = ... + a x (b - c)
+            side = vertices[face[k - 2]] - vertices[face[k - 1]]
+            grad_vertices[face[k]] += np.cross(side, grad_m[face].sum(0))
     return grad_vertices
 
 

@@ -1,22 +1,10 @@
-"""Lab 12 once more: plane by plane, pair by pair, with sets; and errors as sums over planes."""
+"""Lab 12 once more: plane by plane, pair by pair, with sets."""
 import itertools
 
 import numpy as np
 
 from course.given import mesh
-from reference.simplification import (
-    best_anywhere,
-    best_of_three,
-    best_on_segment,
-    boundary_planes,
-    flips,
-)
-
-
-def quadric_error(q, x):
-    # In blocks: x . A x + (b + b') . x + c.
-    A, b = q[..., :3, :3], q[..., :3, 3] + q[..., 3, :3]
-    return np.einsum("...i,...ij,...j->...", x, A, x) + (b * x).sum(-1) + q[..., 3, 3]
+from reference import simplification as lab
 
 
 def surface_quadrics(vertices, faces):
@@ -26,7 +14,7 @@ def surface_quadrics(vertices, faces):
         if size:
             for vertex in face:
                 quadrics[vertex] += np.outer(p, p) / (2 * size)
-    for ends, p in zip(*boundary_planes(vertices, faces), strict=True):
+    for ends, p in zip(*lab.boundary_planes(vertices, faces), strict=True):
         for vertex in ends:
             quadrics[vertex] += 10 * np.sum(np.diff(vertices[ends], axis=0)**2) * np.outer(p, p)
     return quadrics
@@ -37,28 +25,16 @@ def pair_costs(vertices, quadrics, pairs):
     for a, b in pairs:
         q, x, y = quadrics[[a]] + quadrics[[b]], vertices[[a]], vertices[[b]]
         low, _, high = np.linalg.svd(q[0, :3, :3])[1][::-1]
-        place, unique = (best_anywhere(q), True) if low > 1e-6 * high else best_on_segment(q, x, y)
-        places.append((place if unique else best_of_three(q, x, y))[0])
-        costs.append(quadric_error(q[0], places[-1]))
+        place, unique = lab.best_on_segment(q, x, y) if low <= 1e-6 * high else (
+            lab.best_anywhere(q), True)
+        places.append((place if unique else lab.best_of_three(q, x, y))[0])
+        costs.append(lab.quadric_error(q[0], places[-1]))
     return np.array(places).reshape(-1, 3), np.array(costs)
-
-
-def collapse_faces(faces, a, b):
-    kept = [[a if vertex == b else vertex for vertex in face]
-            for face in np.asarray(faces).tolist() if a not in face or b not in face]
-    return np.array(kept, int).reshape(-1, 3)
-
-
-def satisfies_link_condition(faces, a, b):
-    faces = [set(face) for face in np.asarray(faces).tolist()]
-    near_a, near_b = (set().union(*(face for face in faces if end in face)) for end in (a, b))
-    thirds = set().union(*(face for face in faces if {a, b} <= face))
-    return (near_a & near_b) - {a, b} == thirds - {a, b}
 
 
 def why_refused(vertices, faces, a, b, position):
     is_edge = any({a, b} <= set(face) for face in faces.tolist())
-    if is_edge and not satisfies_link_condition(faces, a, b):
+    if is_edge and not lab.satisfies_link_condition(faces, a, b):
         return 1
     left = [face for face in faces.tolist()
             if not {a, b} <= set(face) and (is_edge or max(face) < len(vertices))]
@@ -66,7 +42,7 @@ def why_refused(vertices, faces, a, b, position):
         return 2
     real, moved = [face for face in left if max(face) < len(vertices)], vertices.copy()
     moved[[a, b]] = position
-    return 3 * flips(vertices[real], moved[real]) if real else 0
+    return 3 * lab.flips(vertices[real], moved[real]) if real else 0
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):
@@ -82,5 +58,5 @@ def simplify_loop(vertices, faces, quadrics, face_count):
         else:
             break
         x[a], q[a] = place, q[a] + q[b]
-        faces = collapse_faces(faces, a, b)
+        faces = lab.collapse_faces(faces, a, b)
     return x, faces

@@ -1,15 +1,8 @@
 """The soft shadows of lab 14 once more: all places first, then their means."""
-
 import numpy as np
 
 from reference.shadow_mapping import stored_distance
-from reference.soft_shadows import percentage_closer
-
-
-def on_plane(place, distance, slope, step):
-    there = np.add(place, step)
-    centre = np.trunc(there) + 0.5 + np.where(there < np.trunc(there), -1, 0)
-    return there, distance + np.einsum("nk,nk->n", centre - place, slope)
+from reference.soft_shadows import on_plane, percentage_closer
 
 
 def places(distance_map, place, distance, slope, bias, offsets, radius):

@@ -2,6 +2,7 @@
 import numpy as np
 import pytest
 
+from course.given import mesh
 from course.given.whose import Labs
 from course.scenes import drawing, reconstruct, viewing
 from reference import multi_view_fit, reconstruction
@@ -9,6 +10,18 @@ from reference import multi_view_fit, reconstruction
 LABS = Labs("reference")
 EVEN = np.eye(9)[:, :1] * np.ones(3) / reconstruction.C0  # a light that shows an albedo as it is
 NO_SUN = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
+
+
+def surface_of(vertices, faces, albedo=None):
+    """A Surface, as multi_view_fit makes them."""
+    normals = mesh.vertex_normals(vertices, faces)
+    return multi_view_fit.Surface(vertices, faces, None, normals, albedo)
+
+
+def ball(radius):
+    """A ball of soft colours: vertices (V, 3), faces (F, 3), colours (V, 3)."""
+    vertices, faces = mesh.icosphere(1280)
+    return radius * vertices, faces, 0.5 + 0.3 * np.sin(4 * vertices[:, [1, 2, 0]])
 
 
 def photographed(painted, light, count, size):

@@ -1,45 +1,11 @@
 """Whole pictures of lab 5: interpolation after lab 2's rasterizer, and what is given there."""
 import numpy as np
 import pytest
-from screen_scenes import camera
 
-from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_close, assert_equal
-from reference import interpolation, rasterization, transforms
+from reference import interpolation
 from tests.labs.test_interpolation import buffers, by_uv, each_golden, golden, mixed
-
-
-def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
-    """A square floor: positions (V, 3), faces, clip (V, 4), the eye and clip_from_world."""
-    eye = np.array(eye)
-    positions, faces = mesh.plane(face_count)
-    clip_from_world = camera(eye, (0.1, 0.0, -0.2), 1.1, width / height, 0.05)
-    clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_world)
-    return positions, faces, clip, eye, clip_from_world
-
-
-def on_the_floor(x, y, eye, clip_from_world, width, height):
-    """Where the rays through screen points (N,) meet the plane y = 0: (N, 3), without any mesh."""
-    ndc = np.stack([2 * x / width - 1, 2 * y / height - 1, 0 * x, 1 + 0 * x], -1)
-    point = ndc @ np.linalg.inv(clip_from_world).T
-    ray = point[:, :3] / point[:, 3:] - eye
-    return eye - ray * (eye[1] / ray[:, 1])[:, None]
-
-
-@pytest.mark.parametrize("eye", [(0.3, 1.0, 2.0), (0.3, 0.4, 0.5)], ids=["before it", "above it"])
-def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
-    """Perspective is forgotten, or wrong for a floor that reaches behind the camera."""
-    width, height = 40, 30
-    positions, faces, clip, eye, clip_from_world = floor(width, height, eye)
-    assert (clip[:, 3] < 0).any() == (eye[2] < 1)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
-    barycentric = interpolation.barycentrics(face_index, clip, faces)
-    got = interpolation.interpolate(positions, faces, face_index, barycentric)
-    i, j = np.nonzero(face_index >= 0)
-    expected = on_the_floor(j + 0.5, i + 0.5, eye, clip_from_world, width, height)
-    assert len(i) > 300
-    np.testing.assert_allclose(got[i, j], expected, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("row", [-1, 4, 10**8])

@@ -1,20 +1,13 @@
 """Albedo and light told apart: equations (10) to (13), their gradients, and what they find."""
 import numpy as np
 import pytest
-from found_objects import EVEN, NO_SUN, photographed
+from found_objects import EVEN, NO_SUN, ball, photographed, surface_of
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from course.scenes import reconstruct
 from reference import intrinsic_decomposition as lab
 from reference import multi_view_fit, reconstruction
-
-
-def surface_of(vertices, faces, albedo=None):
-    """A Surface, as multi_view_fit makes them."""
-    normals = mesh.vertex_normals(vertices, faces)
-    albedo = np.full(vertices.shape, 0.5) if albedo is None else albedo
-    return multi_view_fit.Surface(vertices, faces, None, normals, albedo)
 
 
 def looks(rng, count):
@@ -27,8 +20,7 @@ def looks(rng, count):
 
 def received(rng, count):
     """What a Surface of count vertices Received."""
-    normals = rng.normal(size=(count, 3))
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = mesh.unit(rng.normal(size=(count, 3)))
     surface = multi_view_fit.Surface(rng.uniform(-0.5, 0.5, (count, 3)), None, None, normals, None)
     return lab.Received(surface, *rng.uniform(0, 1, (2, count)), rng.uniform(0, 0.3, (count, 3)))
 
@@ -38,11 +30,10 @@ def received(rng, count):
 
 def seen_ball(count=6, size=48):
     """A ball of soft colours, as pictures show it: the Surface, its colours (V, 3), its Targets."""
-    vertices, faces = mesh.icosphere(1280)
-    vertices = 0.8 * vertices
-    colours = 0.5 + 0.3 * np.sin(4 * vertices[:, [1, 2, 0]])
+    vertices, faces, colours = ball(0.8)
     capture = photographed(reconstruct.Painted(vertices, faces, colours), EVEN, count, size)
-    return surface_of(vertices, faces), colours, multi_view_fit.targets_of(capture, 1, 1)
+    surface = surface_of(vertices, faces, np.full(vertices.shape, 0.5))
+    return surface, colours, multi_view_fit.targets_of(capture, 1, 1)
 
 
 def test_the_colours_that_pictures_show_are_found():
@@ -198,8 +189,7 @@ def test_an_albedo_of_at_most_one_shows_the_same_colours(rng):
 
 def test_a_yellow_thing_in_grey_light_is_yellow():
     """The light takes the paint's colour, as any light is allowed to."""
-    vertices, faces = mesh.icosphere(1280)
-    vertices = 0.8 * vertices
+    vertices, faces, _ = ball(0.8)
     yellow, towards = np.array([0.8, 0.6, 0.1]), np.array([[0.6, 0.64, 0.48]])
     light = reconstruction.distant_light(towards, np.full((1, 3), 0.7))
     light[0] += 0.3 / reconstruction.C0

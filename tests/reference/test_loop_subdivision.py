@@ -4,24 +4,11 @@ import pytest
 from triangle_meshes import MESHES
 
 from course.given.gradcheck import gradcheck
-from labkit.checks import assert_close
-from reference import loop_subdivision, subdivision
+from reference import loop_subdivision
 
 WEIGHTS = loop_subdivision.warren_weight, loop_subdivision.loop_weight
 each_weight = pytest.mark.parametrize("weight", WEIGHTS, ids=lambda weight: weight.__name__)
 each_mesh = pytest.mark.parametrize("vertices, faces", MESHES.values(), ids=MESHES)
-
-
-# --- both versions, and others' ------------------------------------------------------------------
-
-@each_weight
-@each_mesh
-def test_loops_matrix_agrees_with_the_slow_version(vertices, faces, weight):
-    """Two versions of one scheme that differ at a hole, an isolated vertex or an odd valence."""
-    edges, *_ = subdivision.topology(*subdivision.triangles(faces), len(vertices))
-    n = subdivision.valences(edges, len(vertices))
-    slow = loop_subdivision.loop_slow(vertices, faces, weight(np.maximum(n, 1)))
-    assert_close(loop_subdivision.loop(vertices, faces, weight), slow, atol=1e-12)
 
 
 def test_the_two_weights_are_equal_at_valences_3_and_6_only():

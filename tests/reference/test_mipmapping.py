@@ -43,20 +43,6 @@ def test_the_level_of_a_square_footprint_and_of_none():
                                      [[1e9, 0], [0, 0]]], atol=1e-3)
 
 
-def test_pyramids_end_where_a_side_is_odd():
-    """A level of half a texel, or a pyramid that never ends."""
-    def sides(*shape, max_level=None):
-        return [level.shape[:2] for level in mipmapping.pyramid(np.zeros((*shape, 1)), max_level)]
-
-    assert sides(8, 2) == [(8, 2), (4, 1), (2, 1), (1, 1)]
-    assert sides(8, 2, max_level=2) == [(8, 2), (4, 1), (2, 1)]
-    assert sides(8, 2, max_level=0) == [(8, 2)]
-    assert sides(12, 4) == [(12, 4), (6, 2), (3, 1)]
-    assert sides(12, 4, max_level=9) == [(12, 4), (6, 2), (3, 1)]
-    assert sides(5, 8) == [(5, 8)]
-    assert sides(1, 1) == [(1, 1)]
-
-
 @pytest.mark.parametrize(("kind", "largest"), [("uint8", 255), ("int16", 32767),
                                                ("float16", 60000), ("float32", 1)])
 @pytest.mark.parametrize("filter_mode", texturing.FILTERS)

@@ -1,14 +1,10 @@
 """The light that a surface receives: equations (14) and (15), from a lamp and from itself."""
 import numpy as np
+from found_objects import surface_of
 
 from course.given import mesh
 from reference import intrinsic_decomposition, multi_view_fit
 from reference import received_light as lab
-
-
-def surface_of(vertices, faces):
-    """A Surface, as multi_view_fit makes them."""
-    return multi_view_fit.Surface(vertices, faces, None, mesh.vertex_normals(vertices, faces), None)
 
 
 def two_plates(apart):

@@ -4,7 +4,7 @@ import numpy as np
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_close, assert_equal
-from reference import inverse_rendering, regularization
+from reference import regularization
 
 
 def volume(vertices, faces):
@@ -69,26 +69,6 @@ def test_smoothing_shrinks_and_taubins_does_not():
     np.testing.assert_allclose(volume(restored, faces), volume(rough, faces), rtol=1e-12)
     roughness = [regularization.laplacian_energy(x, *around) for x in (rough, taubin)]
     assert roughness[1] < 0.2 * roughness[0]
-
-
-def test_a_gradient_is_spread_and_keeps_its_sum():
-    """L itself is applied instead of the inverse, or the I is left out."""
-    x, edges = np.array([[0.0], [3.0]]), np.array([[0, 1]])
-    got = regularization.precondition(x, edges, np.ones(1), 1.0)
-    np.testing.assert_allclose(got, [[1.0], [2.0]])
-
-
-def test_all_elements_go_the_way_of_the_gradient():
-    """Each element has its own root, as in Adam. 0/0 without a gradient."""
-    x, grad_x, zero = np.zeros(2), np.array([4.0, -100.0]), np.zeros(2)
-    x, mean, square = regularization.uniform_adam_step(x, grad_x, zero, zero, 1, 0.25)
-    np.testing.assert_allclose(x, [-0.01, 0.25])
-    np.testing.assert_allclose([mean, square], [[0.4, -10.0], [0.016, 10.0]])
-    still, *_ = regularization.uniform_adam_step(x, zero, zero, zero, 1, 0.25)
-    np.testing.assert_array_equal(still, x)
-    one = np.array([2.0]), np.array([0.3]), np.array([0.1]), np.array([0.2]), 5, 0.1
-    assert_close(regularization.uniform_adam_step(*one), inverse_rendering.adam_step(*one),
-                 rtol=1e-15, atol=0)
 
 
 def test_without_vertices_there_is_nothing_to_smooth_and_no_step_to_make():

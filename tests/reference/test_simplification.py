@@ -195,16 +195,6 @@ def test_a_face_without_area_has_no_plane():
     assert_close(planes, np.zeros((2, 4)))
 
 
-def test_a_boundary_weighs_by_the_square_of_its_length():
-    """Its planes have no weight, or one that does not grow with the mesh as an area does."""
-    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
-    q = simplification.mesh_quadrics(vertices, np.array([[0, 1, 2]]))
-    weight = simplification.BOUNDARY_WEIGHT
-    assert_close(q[0, :3, :3], np.diag([9 * weight, 16 * weight, 6.0]), atol=1e-6)
-    far = simplification.mesh_quadrics(10 * vertices, np.array([[0, 1, 2]]))
-    assert_close(far[:, :3, :3], 100 * q[:, :3, :3])
-
-
 def test_a_slight_pull_decides_where_all_is_flat():
     """A place of a plane costs as much as any other, and rounding decides. At the vertex itself it
     costs something, or the pull depends on the size of the mesh."""

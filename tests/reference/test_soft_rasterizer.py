@@ -5,8 +5,6 @@ import pytest
 from course.given.gradcheck import gradcheck
 from reference import soft_rasterizer
 
-WIDTH, HEIGHT = 23, 17
-
 
 def soft_by_search(screen, width, height, sigma, steps=2000):
     """The distance to many points of each border, and a winding number for inside."""

@@ -9,7 +9,6 @@ from course.given.gradcheck import gradcheck
 from reference import interpolation, neural_renderer, pipeline, texture_cubes
 from reference.sweep_gradient import sweep_backward
 
-WIDTH, HEIGHT = 23, 17
 BACKGROUND = np.array([0.1, 0.2])
 
 

@@ -1,28 +1,21 @@
 """The vertices of a found mesh, moved to meet pictures: the gradients, the step, and the result."""
 import numpy as np
 import pytest
-from found_objects import EVEN, photographed, require_follows
+from found_objects import EVEN, ball, photographed, require_follows
 
-from course.given import mesh
 from course.scenes import reconstruct
 from reference import multi_view_fit, reconstruction, regularization, vertex_fit
 
 
-def ball():
-    """A ball of soft colours: vertices (V, 3), faces (F, 3), colours (V, 3)."""
-    vertices, faces = mesh.icosphere(1280)
-    return 0.7 * vertices, faces, 0.5 + 0.3 * np.sin(4 * vertices[:, [1, 2, 0]])
-
-
 def capture(count=12, size=32):
-    """Pictures of this ball."""
-    return photographed(reconstruct.Painted(*ball()), EVEN, count, size)
+    """Pictures of a ball."""
+    return photographed(reconstruct.Painted(*ball(0.7)), EVEN, count, size)
 
 
 @pytest.mark.parametrize("which, h", [("vertices", 1e-8), ("colours", 1e-2)])
 def test_gradients_follow_the_loss(which, h):
     """A way back is missing: through outlines, or through colours that move along."""
-    vertices, faces, colours = ball()
+    vertices, faces, colours = ball(0.7)
     x = vertex_fit.Skin(1.03 * vertices, colours[::-1])
     views = multi_view_fit.targets_of(capture(2), 1, 2)
     direction = np.random.default_rng(1).normal(size=colours.shape)
@@ -32,7 +25,7 @@ def test_gradients_follow_the_loss(which, h):
 
 def test_the_step_is_lab_13s_large_step():
     """One factorization for all steps, and another result. (A first step knows no constants.)"""
-    vertices, faces, _ = ball()
+    vertices, faces, _ = ball(0.7)
     edges, nothing = reconstruction.closed_mesh_edges(faces), np.zeros(vertices.shape)
     gradient = np.random.default_rng(2).normal(size=vertices.shape)
     state = vertices, gradient, nothing, nothing, 1, 0.1
@@ -43,7 +36,7 @@ def test_the_step_is_lab_13s_large_step():
 
 def test_an_uneven_ball_becomes_the_ball_in_the_pictures():
     """Vertices that go astray, or stay. Measured: 0.0153 -> 0.0054, a twelfth of a pixel."""
-    vertices, faces, _ = ball()
+    vertices, faces, _ = ball(0.7)
     uneven = (1.02 + 0.05 * np.sin(9 * vertices).prod(1, keepdims=True)) * vertices
     surface = multi_view_fit.Surface(uneven, faces, None, None, None)
 
