@@ -25,12 +25,9 @@ const normalAt = (x) => [x / RADIUS, Math.sqrt(Math.max(0, 1 - (x / RADIUS) ** 2
 
 const wayAt = (x) => reflected([0, -1], normalAt(x));
 
-const pixels = (count) =>
-  Array.from({ length: count }, (_, n) => RADIUS * (2 * (n + 0.5) / count - 1));
-
-/** How much of the ball's picture shows this face, in percent. */
-const shareOf = (face) =>
-  pixels(5000).filter((x) => onFace(wayAt(x))[0] === face).length / 50;
+/** How much of the ball's picture shows the wall behind: the way turns by twice the normal's angle,
+ *  by 135 degrees where the wall begins. */
+export const SHARE_BEHIND = 1 - Math.sin(67.5 * Math.PI / 180);
 
 /** (x, z) on the sheet: what is behind the mirror is above. */
 const onSheet = ([x, z]) => [x, -z];
@@ -64,9 +61,9 @@ export function show(place) {
       FACES.map((one) => sheet.text(onSheet(one.out.map((t) => WALL * t)), one.name,
                                     `label middle ${one.style}`, [-22 * one.out[0],
                                                                   20 * one.out[1] - 5])),
-      pixels(PIXELS).map((centre) => {
-        const [seen, at] = onFace(wayAt(centre));
-        return sheet.rectangle([centre - wide / 2, LOW], wide, 0.28,
+      Array.from({ length: PIXELS }, (_, k) => {
+        const left = k * wide - RADIUS, [seen, at] = onFace(wayAt(left + wide / 2));
+        return sheet.rectangle([left, LOW], wide, 0.28,
                                `${FACES[seen].style} texel`, faint(Math.floor(TEXELS * at)));
       }),
       sheet.dot([0, 0], RADIUS * sheet.scale, "ball"),
@@ -80,7 +77,7 @@ export function show(place) {
     rule.innerHTML = `<i>r</i> = (${number(r[0], 2)}, ${number(r[1], 2)}): the largest <i>m</i> ` +
       `is that of ${name}, and <i>u</i> = <b>${number(u, 2)}</b>.`;
     say(answer, name !== BEHIND ? "This pixel does not see the wall behind the ball."
-      : `The wall behind the ball: ${number(shareOf(face), 1)} % of its picture, and 25 % of ` +
+      : `The wall behind: ${number(100 * SHARE_BEHIND, 1)} % of the ball’s picture, and 25 % of ` +
         "all directions.");
   }
 

@@ -1,11 +1,11 @@
 /** Page 09b in the plane: a square of four colours, and downhill to its pose. */
-import { button, fill, html, playAndReset, say, number, Sheet, sway } from "./paper.js";
+import { button, fill, html, playAndReset, say, Sheet, sway } from "./paper.js";
 import { rgb, toSrgb } from "./picture.js";
 import { dot, minus } from "./vectors.js";
 
 const GOAL = 24, START = -81, SWING = 9;                    // degrees
 const COLOURS = [[0.7, 0.06, 0.05], [0.72, 0.36, 0.01], [0.01, 0.2, 0.5], [0.02, 0.3, 0.18]];
-const WHITE = [1, 1, 1], HIGH = 3, WIDE = 36;               // of the curve, and degrees to a unit
+const WHITE = [1, 1, 1], HIGH = 110;                        // of the curve
 
 /** Degrees from 0, or another least angle, to a whole turn more. */
 const within = (degrees, least = 0) => ((degrees - least) % 360 + 360) % 360 + least;
@@ -52,12 +52,10 @@ export function show(place) {
   const scene = new Sheet([-1.6, 1.6, -1.6, 1.6],
     "The square, each quarter in one colour, and the outline of the target", draw);
   const target = new Sheet([-1.6, 1.6, -1.6, 1.6], "The target", draw);
-  const curve = new Sheet([-5.3, 5.3, -1.1, HIGH + 0.8], "The loss of every pose", draw);
+  const curve = new Sheet([-190, 190, -40, HIGH + 30], "The loss of every pose", draw);
   const answer = html("p", { class: "verdict", role: "status" });
-  curve.handle({ name: "The square’s angle", step: 1 / WIDE, at: () => [at / WIDE, -0.3],
-                 said: ([x]) => `${number(WIDE * x, 0)} degrees`,
-                 limits: [-5, 5 - 1 / WIDE, -0.3, -0.3],
-                 moved: ([x]) => { at = Math.round(WIDE * x); } });
+  curve.handle({ name: "The square’s angle", step: 1, at: () => [at, -11],
+                 limits: [-180, 179, -11, -11], moved: ([x]) => { at = x; } });
   const buttons = playAndReset(() => {
     const step = stepFrom(at);
     at = within(at + step, -180);
@@ -78,13 +76,11 @@ export function show(place) {
   function draw() {
     scene.draw(quarters(scene, at), scene.polygon(corners(GOAL), "goal"));
     target.draw(quarters(target, GOAL), target.text([0, -1.6], "target", "middle"));
-    const on = (n) => [n / WIDE, HIGH * lossAt(n) / Math.max(...LOSSES)];
+    const on = (n) => [n, HIGH * lossAt(n) / Math.max(...LOSSES)];
     curve.draw(
-      curve.line([[-5, HIGH], [-5, 0], [5, 0]], "axis"),
+      curve.line([[-180, HIGH], [-180, 0], [180, 0]], "axis"),
       curve.line(Array.from({ length: 361 }, (_, n) => on(n - 180)), "curve alias"),
-      [-90, 0, 90].map((n) =>
-        curve.text([n / WIDE, 0], `${number(n)}°`, "middle", [0, -34])),
-      curve.text([-5, HIGH], "loss", "label edge", [8, 8]), curve.dot(on(at), 7, "sample point"));
+      curve.text([-180, HIGH], "loss", "label edge", [8, 8]), curve.dot(on(at), 7, "sample point"));
     const isRight = within(at) === GOAL;
     say(answer, stepFrom(at) ? "Downhill it goes on."
       : (isRight ? "Found." : "Stuck: the outline is right, and the colours are wrong.") +

@@ -2,8 +2,14 @@
 import numpy as np
 from reading import each, opened, settled
 
-from course.complete import intrinsic_decomposition
-from reference import antialiasing, cube_maps, outline_walk, outlines, rasterization
+from reference import (
+    antialiasing,
+    cube_maps,
+    intrinsic_decomposition,
+    outline_walk,
+    outlines,
+    rasterization,
+)
 
 
 def test_the_mirror(call, agrees):
@@ -18,8 +24,8 @@ def test_the_mirror(call, agrees):
 
 
 def prism(count, radius, middle, pixel):
-    """A ball of flatland, drawn out along y -> its points on the screen, seen along its height:
-    vertices (2 N, 3), faces. The picture's pixels are 1 wide, and x = 1 of flatland is at 0.
+    """A ball of flatland, drawn out along y, far down, so that in the picture each side is one face
+    -> vertices (2 N, 3), seen along its height, faces. Pixels are 1 wide, and x = 1 is at 0.
     """
     angle = 2 * np.pi * np.arange(count) / count
     x = (middle + radius * np.cos(angle) - 1) / pixel
@@ -27,7 +33,7 @@ def prism(count, radius, middle, pixel):
     k, ahead = np.arange(count), np.roll(np.arange(count), -1)
     faces = np.concatenate([np.column_stack([k, ahead, ahead + count]),
                             np.column_stack([k, ahead + count, k + count])])
-    return np.concatenate([ring - [0, 40, 0], ring + [0, 40, 0]]), faces
+    return np.concatenate([ring - [0, 1e5, 0], ring + [0, 9, 0]]), faces
 
 
 def found_by(rule, inside, count, pixel):
