@@ -77,8 +77,8 @@ export function show(place) {
     rule.innerHTML = `<i>r</i> = (${number(r[0], 2)}, ${number(r[1], 2)}): the largest <i>m</i> ` +
       `is that of ${name}, and <i>u</i> = <b>${number(u, 2)}</b>.`;
     say(answer, name !== BEHIND ? "This pixel does not see the wall behind the ball."
-      : `The wall behind: ${number(100 * SHARE_BEHIND, 1)} % of the ball’s picture, and 25 % of ` +
-        "all directions.");
+      : `The wall behind: ${number(100 * SHARE_BEHIND, 1)} % of the ball’s picture, and 25 % ` +
+        "of all directions.");
   }
 
   fill(place, draw, "Which share of the ball’s picture shows the wall behind it, the red one?",

@@ -56,9 +56,11 @@ export function show(place) {
   function draw() {
     const { loss, gradient } = lossOf(light, GIVEN), shadow = shadowOf(light);
     const down = plus(FLOOR, gradient, -1), way = minus(TRUTH, light);
-    const angle = Math.acos(clamp(dot(down, way) / Math.hypot(...down) / Math.hypot(...way), -1, 1));
+    const cosine = dot(down, way) / Math.hypot(...down) / Math.hypot(...way);
+    const degrees = number(Math.acos(clamp(cosine, -1, 1)) * 180 / Math.PI, 0);
     const cut = shadow.map((x) => clamp(x, 0, GROUND));
-    const wanted = (x) => 0.5 * (x > GIVEN[0] && x < GIVEN[1] ? -1 : 1);
+    const isGiven = (x) => GIVEN[0] < x && x < GIVEN[1];
+    const aims = shadow.map((x, k) => x + (isGiven(x) === (k === 1) ? 0.5 : -0.5));
     sheet.draw(
       sheet.polygon([light, ...shadow.map((x) => [x, 0])], "beam"),
       sheet.polygon([...BLOCKER, [shadow[1], 0], [shadow[0], 0]], "dusk"),
@@ -69,11 +71,12 @@ export function show(place) {
                  [0, -22]),
       sheet.line(BLOCKER, "plane"),
       loss < FOUND ? [] : [
-        shadow.map((x, k) => sheet.arrow([x, 0.25], [x + (k ? -1 : 1) * wanted(x), 0.25], "pull point")),
+        shadow.map((x, k) => sheet.arrow([x, 0.25], [aims[k], 0.25], "pull point")),
         sheet.arrow(light, plus(light, down, 0.9 / Math.hypot(...down)), "descent")]);
-    said.innerHTML = `Step ${step}: <b>${number(100 * loss / GROUND, 1)} %</b> of the ground is wrong.`;
-    say(answer, loss < FOUND ? "Found, by two borders alone." : "The step downhill, green, misses " +
-      `the true light by ${number(angle * 180 / Math.PI, 0)} degrees.`);
+    said.innerHTML = `Step ${step}: <b>${number(100 * loss / GROUND, 1)} %</b> of the ground is ` +
+      "wrong.";
+    say(answer, loss < FOUND ? "Found, by two borders alone."
+      : `The step downhill, green, misses the true light by ${degrees} degrees.`);
   }
 
   fill(place, draw, "Which way should the light move?",

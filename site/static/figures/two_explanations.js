@@ -56,8 +56,9 @@ export function show(place) {
                  moved: ([x]) => { sun = x - HEAD[0] - 0.7; } });
 
   const row = (y, words, values) => [
-    values.map((value, n) => sheet.rectangle([n * WIDTH / COUNT, y], WIDTH / COUNT + 0.02, 1, "",
-                                             `fill: ${rgb(value.map((t) => toSrgb(Math.min(t, 1))))}`)),
+    values.map((value, n) => sheet.rectangle(
+      [n * WIDTH / COUNT, y], WIDTH / COUNT + 0.02, 1, "",
+      `fill: ${rgb(value.map((t) => toSrgb(Math.min(t, 1))))}`)),
     sheet.rectangle([0, y], WIDTH, 1, "pixel"), sheet.text([0, y + 1], words, "", [0, 5])];
 
   function draw() {
