@@ -81,7 +81,7 @@ export function show(place) {
 
   fill(place, draw, "Which way should the light move?",
     "Guess, then press Play, or drag the light. When it moves a little, only the ground at the " +
-      "two borders changes, and black arrows show where these should go.",
+      "two borders changes, and the arrows there show where these should go.",
     html("div", { class: "wide" }, sheet.box),
     html("div", { class: "told" }, said, answer), html("div", { class: "row" }, ...buttons));
   sway(place, (t) => { begin(plus(START, [SWING * t, 0])); }, draw);

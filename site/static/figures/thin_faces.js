@@ -30,6 +30,7 @@ export function show(place) {
   let count = 32, width = 64, inside = START;
   const sheet = new Sheet([LEFT, 1.6, -0.6, 3],
     "The right end of a ball from the side, its faces, and the centres of pixels", draw);
+  sheet.box.classList.add("cut");
   const bars = new Sheet([0, 20, 0, 5], "How much of the gradient each method finds", draw);
   const behind = html("input", { type: "checkbox" });
   const sliders = [
