@@ -12,7 +12,7 @@ import re
 
 from labkit.places import ROOT
 
-from . import comparisons, turntables, waves
+from . import turntables, waves
 
 FIGURES = ROOT / "site" / "static" / "figures"
 LINK = re.compile(r"(?: \()?\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)?")
@@ -25,7 +25,7 @@ class Inserts:
         """Write their files to extra."""
         self.placed = set()
         waves.write(extra)
-        self.made = {**turntables.write(extra), **comparisons.write(extra), **answering()}
+        self.made = {**turntables.write(extra), **answering()}
 
     def put_in(self, text):
         """A lecture's Markdown with the HTML of what its paragraphs name.

@@ -4,10 +4,8 @@ import shutil
 
 import numpy as np
 import pytest
-from checks import moved
 from pages import webp
 from PIL import Image
-from playwright.sync_api import expect
 from serving import PAGES, ROOT, SITE, served, soup
 
 # As in a file of the course, the film's end stands first.
@@ -141,13 +139,3 @@ def test_a_film_that_is_not_there_is_told_and_asked_for_again(new_page, place, t
     page.wait_for_selector("img[src='film.webp']" if browsers else "canvas")
     page.get_by_role("button", name="Pause").click()
     assert not page.get_by_text("did not load").count()
-
-
-@pytest.mark.parametrize("width", [375, 1280])
-def test_nothing_moves_when_a_player_starts(new_page, place, width):
-    """The text below jumps when the buttons come."""
-    page = new_page(viewport={"width": width, "height": 800})
-    page.goto(place(f"{FILM.format('')}<p>Below.</p>"),
-              wait_until="networkidle")
-    expect(page.locator("input")).to_have_count(1)
-    assert moved(page) == []

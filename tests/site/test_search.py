@@ -38,6 +38,8 @@ QUERIES = {
     "own photographs": [r"own_pictures\.html"],
     "how long does it take": [r"index\.html#how-long-it-takes$"],
     "run in the browser": [r"index\.html#run-it-in-the-browser$"],
+    "points for each exercise": [r"#term-points-of-an-exercise$", r"labs/index\.html$"],
+    "my python is too old": [r"index\.html#if-your-python-is-too-old$"],
     "hand in": [r"index\.html#run-it-in-the-browser$", r"(instructors|first_week|grading)\.html"],
 }
 

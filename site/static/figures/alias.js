@@ -27,8 +27,6 @@ export function show(place) {
     "The wave, its samples, and the alias through the same samples", draw);
   const strips = ["sampled", "the mean over each pixel"].map((title) =>
     ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, draw) }));
-  const fold = new Sheet([-0.03, 1.03, -0.07, 0.42],
-    "The periods seen, and what the box filter leaves, against the wave's periods", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   const filtered = html("p");
   const control = slider({ label: "periods", min: 0, max: FASTEST, step: 0.5, value: START,
@@ -44,27 +42,7 @@ export function show(place) {
       samples.map((value, n) => waves.dot([times[n], 0.055 * value], 5, "sample point")));
     [1, left].forEach((share, k) => strips[k].sheet.draw(samples.map((value, n) =>
       strips[k].sheet.rectangle([n / RATE, 0], 1 / RATE, 0.05, "square", grey(share * value)))));
-    drawFold(Math.abs(alias) / (RATE / 2), Math.abs(left));
     tell(alias, left);
-  }
-
-  /** Both curves go from 0 to 1, which is drawn 0.36 high. */
-  function drawFold(seen, left) {
-    const at = (f, y) => [f / FASTEST, 0.36 * y];
-    const all = range(300).map((x) => FASTEST * x);
-    fold.draw(
-      fold.line([at(0, 1.1), at(0, 0), at(FASTEST, 0)], "axis"),
-      fold.line([at(RATE / 2, 0), at(RATE / 2, 1.1)], "ray"),
-      [0, 0.5, 1, 1.5, 2, 2.5].map((k) =>
-        fold.text(at(k * RATE, 0), number(k * RATE), "middle", [0, -18])),
-      fold.line(all.map((f) => at(f, Math.abs(boxFactor(f, FINE, FINE * RATE)))), "curve second"),
-      fold.line(all.map((f) => at(f, Math.abs(aliasFrequency(f, RATE)) / (RATE / 2))),
-                "curve alias"),
-      fold.text(at(RATE / 2, 1), "r/2", "", [6, 2]),
-      fold.text(at(24, 0.85), "seen", "label alias middle"),
-      fold.text(at(18, 0.38), "box", "label second middle"),
-      fold.dot(at(frequency, seen), 7, "sample point"),
-      fold.dot(at(frequency, left), 7, "sample second"));
   }
 
   function tell(alias, left) {
@@ -84,5 +62,5 @@ export function show(place) {
       '<b class="red">Red</b> is the slowest wave through them.',
     html("div", { class: "wide told" }, control.element, waves.box,
       ...strips.flatMap(({ title, sheet }) => [html("p", {}, title), sheet.box])),
-    fold.box, html("div", { class: "told" }, answer, filtered));
+    html("div", { class: "wide told" }, answer, filtered));
 }

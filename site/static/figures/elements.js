@@ -1,6 +1,7 @@
 /** What stands in a figure beside its drawing: elements, numbers, sliders, buttons. */
 
 const SVG = "http://www.w3.org/2000/svg";
+const SWAY = 4800;                        // ms: what moves for longer needs a button to stop it
 
 function filled(element, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
@@ -117,6 +118,31 @@ export function playAndReset(step, begin, draw) {
     play.stop();
     begin();
   })];
+}
+
+/** A figure that nobody has touched yet sways a little when it comes into sight: move(t) and draw()
+ *  are called, t between -1 and 1, 0 at the end. Not where the reader asked for rest. */
+export function sway(place, move, draw) {
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  let frame = 0, begun = 0;
+  const step = (now) => {
+    begun ||= now;
+    const t = Math.min((now - begun) / SWAY, 1);
+    move(Math.sin(4 * Math.PI * t));
+    draw();
+    frame = t < 1 ? requestAnimationFrame(step) : 0;
+  };
+  const seen = new IntersectionObserver(([{ isIntersecting }]) => {
+    cancelAnimationFrame(frame);
+    if (isIntersecting) frame = requestAnimationFrame(step);
+  });
+  const rest = () => {
+    seen.disconnect();
+    cancelAnimationFrame(frame);
+  };
+  place.querySelectorAll("[role=status]").forEach((answer) => { answer.ariaLive = "off"; });
+  for (const act of ["pointerdown", "keydown", "focusin"]) place.addEventListener(act, rest);
+  seen.observe(place);
 }
 
 export function button(label, pressed) {

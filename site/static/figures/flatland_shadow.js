@@ -1,8 +1,8 @@
 /** Lecture 14: in flatland the light's map is one row of texels, and one bias is never right. */
-import { button, clamp, fill, html, number, Sheet, slider } from "./paper.js";
+import { button, fill, html, number, Sheet, slider } from "./paper.js";
 import { dot, minus, plus } from "./vectors.js";
 
-const TEXELS = 18, MAP_HIGH = 3.4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
+const TEXELS = 18, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
 const WALL = [[FOOT, 0], [FOOT, TOP], [BEHIND, TOP], [BEHIND, 0]];
 const SCENE = [[0, 0], ...WALL, [GROUND, 0]];  // one line, from left to right
 const GRAZING = 1e-2;
@@ -77,7 +77,7 @@ export function shadowOf(points, light, distanceMap, constant, factor) {
     const bias = slopeScaledBias(slope, constant, factor);
     const lit = isLit(distanceMap, x, -q[1], bias);
     const truth = -q[1] <= nearest(q[0] / -q[1], wall);
-    return { p, x, bias, distance: -q[1], kind: (lit === truth ? GOOD : WRONG)[lit] };
+    return { p, kind: (lit === truth ? GOOD : WRONG)[lit] };
   });
 }
 
@@ -112,10 +112,8 @@ function runs(samples) {
 export function show(place) {
   let position = START, constant = BIAS, factor = 0;
   const world = new Sheet([0, GROUND, -0.25, 4.25], "A light, a wall and its shadow", draw);
-  const map = new Sheet([0, TEXELS, -MAP_HIGH, 0], "The light's map: a depth in each texel", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   world.box.classList.add("cut");
-  map.box.classList.add("cut");
   world.handle({ name: "Light", style: "second", step: 0.05, at: () => position,
                  limits: [0.3, GROUND - 0.3, 2.6, 4], moved: (to) => { position = to; } });
   const control = slider({ label: "bias", min: 0, max: 1.5, step: 0.01, value: BIAS,
@@ -131,35 +129,19 @@ export function show(place) {
     const light = pointLight(position, SCENE);
     const distanceMap = depthMap(SCENE, light, TEXELS);
     const samples = shadowOf(places, light, distanceMap, constant, factor);
-    const [near, far] = [0.8 * Math.min(...distanceMap),
-                         1.08 * Math.max(...samples.map(({ distance }) => distance))];
-    const onMap = (x, d) => [x, -MAP_HIGH * Math.max(0, d - near) / (far - near)];
-    drawOn(world, (x, d) => worldAt(light, x, d), light, distanceMap, samples);
-    drawOn(map, onMap, light, distanceMap, samples);
-    tell(samples);
-  }
-
-  /** In both sheets the same beams and samples: at(x, distance) is where they are there. */
-  function drawOn(sheet, at, light, distanceMap, samples) {
+    const at = (x, d) => worldAt(light, x, d);
     const bias = (x) => slopeScaledBias(groundSlope(light, x), constant, factor);
-    sheet.draw(
+    world.draw(
       distanceMap.map((d, k) => [
-        sheet.polygon([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)],
+        world.polygon([at(k, 0), at(k, d), at(k + 1, d), at(k + 1, 0)],
                       `beam ${k % 2 ? "odd" : ""}`),
-        sheet.polygon([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
+        world.polygon([at(k, d), at(k, d + bias(k)), at(k + 1, d + bias(k + 1)), at(k + 1, d)],
                       "beam bias")]),
-      sheet === world ? world.polygon(WALL, "wall") : [],
+      world.polygon(WALL, "wall"),
       runs(samples).map((run) =>
-        sheet.line(run.map(({ x, distance }) => at(x, distance)), `ground ${run.at(-1).kind}`)),
-      sheet === world ? world.text([BEHIND, TOP], "wall", "", [6, -4]) : named(samples));
-  }
-
-  /** Where the ground is near, there is room. */
-  function named(samples) {
-    const { x } = samples.reduce((best, one) => (one.distance < best.distance ? one : best));
-    const half = 60 / map.scale;
-    return map.text([clamp(x, half, TEXELS - half), -MAP_HIGH], "the light’s map", "middle",
-                    [0, 8]);
+        world.line(run.map(({ p }) => p), `ground ${run.at(-1).kind}`)),
+      world.text([BEHIND, TOP], "wall", "", [6, -4]));
+    tell(samples);
   }
 
   function tell(samples) {
@@ -172,7 +154,7 @@ export function show(place) {
 
   fill(place, draw, "Drag the light. Change the bias.",
     'What a texel’s beam reaches is lit. <b class="green">The bias</b> makes it longer.',
-    html("div", { class: "wide" }, world.box), html("div", { class: "wide" }, map.box),
+    html("div", { class: "wide" }, world.box),
     html("div", { class: "told" }, control.element, sloped),
     html("div", { class: "told" }, answer));
 }

@@ -34,6 +34,12 @@ def address(tmp_path_factory):
 
 
 @pytest.fixture
+def page(new_page):
+    """A new page of a reader who asked for rest, so that no figure sways."""
+    return new_page(reduced_motion="reduce")
+
+
+@pytest.fixture
 def call(page, address):
     """call(module, function, *columns): what it returns for each row of arguments. A number is the
     same in all rows.

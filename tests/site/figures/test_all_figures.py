@@ -57,8 +57,26 @@ def test_what_is_moved_is_drawn_and_reset_brings_all_back(page, address, name):
         assert seen(page) == first
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if any(
-    player in (SOURCE / f"{name}.js").read_text() for player in ("player(", "playAndReset("))])
+def with_part(*parts):
+    """The figures that call one of these functions."""
+    return [name for name in NAMES
+            if any(part in (SOURCE / f"{name}.js").read_text() for part in parts)]
+
+
+@pytest.mark.parametrize("name", with_part("sway("))
+def test_it_sways_until_it_is_touched(new_page, address, name):
+    """It stands still; or it moves on under the reader's hand."""
+    page = opened(new_page(), address, name)
+    first = seen(page)
+    page.wait_for_timeout(900)
+    assert seen(page) != first
+    page.locator(".handle").first.focus()
+    rests = seen(page)
+    page.wait_for_timeout(300)
+    assert seen(page) == rests
+
+
+@pytest.mark.parametrize("name", with_part("player(", "playAndReset("))
 def test_play_moves_and_pause_rests(page, address, name):
     """The button does nothing, or what it has begun never ends."""
     opened(page, address, name)
