@@ -8,11 +8,15 @@ A task is a module tasks/NAME.py with
     trials(seed)          [(name, arguments)] of all calls
     expected(seed)        what an answer is compared with: lists and numbers, one for each trial
     claims(trials, expected, answers)    [(claim, whether it holds, why)]
+    TRIES_IT              whether what the function returns is tried: it is called once, with nothing,
+                          and a trial's one argument is the text of a module of ours, whose
+                          function of that name gets what was returned
 
 An answer is an array of numbers, or None where a call returned none. The score is the share of the
 claims that hold.
 """
 import contextlib
+import functools
 import importlib
 import json
 import time
@@ -23,7 +27,7 @@ from . import contract, places
 from .checks import loader
 from .checks.assertions import Mismatch
 from .checks.report import Check
-from .checks.showing import layout
+from .checks.showing import PACKAGE, layout
 from .exercises import Exercise
 from .verdicts import Entry
 
@@ -42,12 +46,14 @@ def expected(task, seeds) -> dict:
     return {name: scorer(task).expected(seed) for name, seed in seeds.items()}
 
 
-def judged(task, name, points, call, seed, expected) -> Entry:
+def judged(task, name, points, call, run, seed, expected) -> Entry:
     """Ask for all trials of a seed -> an Entry of this name. call(*arguments) -> what is returned.
 
-    expected: what the scorer expects at this seed.
+    run(a module's text, what was returned): see TRIES_IT. expected: what the scorer expects.
     """
     found, answers, wrong = scorer(task).trials(seed), [], []
+    if scorer(task).TRIES_IT:
+        call = tried(call, run)
     for _, given in found:
         answers.append(None)
         with noted(wrong):
@@ -58,6 +64,19 @@ def judged(task, name, points, call, seed, expected) -> Entry:
               for claim, holds, said in scorer(task).claims(found, expected, answers)]
     verdict = "done" if all(check.verdict == "passed" for check in checks) else "failing"
     return Entry(name, scorer(task).FUNCTION, task, points, False, verdict, False, checks)
+
+
+def tried(call, run):
+    """run(text, returned) as a function of the text alone: call() once, and try what it returns."""
+    once = functools.cache(call)
+    return lambda text: run(text, once())
+
+
+def run_here(task, text, returned):
+    """What a module's function makes of what was returned, beside the code under test."""
+    names = {"__name__": f"{PACKAGE}.{task}", "__package__": PACKAGE}
+    exec(text, names)
+    return names[scorer(task).FUNCTION](returned)
 
 
 def in_numbers(returned):
@@ -108,8 +127,8 @@ def check(task, implementation, seed) -> int:
     with loader.package(code):
         topic, name = one.COUNTED or (task, one.FUNCTION)
         (function, calls), began = loaded(code, task, topic, name), time.process_time()
-        entry = judged(task, task, one.POINTS, lambda *given: contract.called(function, *given),
-                       seed, json.loads(kept.read_bytes()))
+        entry = judged(task, task, one.POINTS, functools.partial(contract.called, function),
+                       functools.partial(run_here, task), seed, json.loads(kept.read_bytes()))
         seconds = time.process_time() - began
     print(*(f"{each.verdict:7} {each.claim}: {each.message}" for each in entry.checks), sep="\n")
     print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "

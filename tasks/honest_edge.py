@@ -15,6 +15,7 @@ POINTS = 40
 SECONDS = 2.0       # of a scene
 ALL_SECONDS = 2.0   # of all scenes: `truth` takes ten times as long
 COUNTED = None      # no function of the labs is needed
+TRIES_IT = False
 MOST = 0.5, 0.1, 0.03, 0.01  # the error of each kind of scenes: a claim is that it is less
 SCENES = 20         # of each kind
 SIZE = 24           # pixels of a side

@@ -13,6 +13,7 @@ POINTS = 40
 SECONDS = 20.0      # of a photograph
 ALL_SECONDS = 200.0  # of all
 COUNTED = "rasterization", "rasterize"  # a call of it is a render
+TRIES_IT = False
 PHOTOGRAPHS, SIZE, SAMPLES, NOISE = 20, 64, 4, 0.01
 TURN, LIGHT, FOCAL = 5.0, 10.0, 10.0  # degrees, degrees, %: so far off is solved
 

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 
 from labkit import exercises, places, tasks
+from labkit.checks import loader
 from labkit.grading.apart import open_task, sandbox
 from labkit.grading.apart.jobs import BOARD, MARK, Job
 from labkit.grading.grade import task_limits, task_seeds
 from labkit.grading.pages import scoreboard
-from tasks import honest_edge, one_picture
+from tasks import break_it, honest_edge, one_picture
+from tasks.naive import break_it as naive
 
 LEVEL, _ = sandbox.available()
 NEAR, FAR = np.array([[[9.0, 9], [14, 10], [10, 15]], [[2.0, 3], [22, 4], [8, 21]]])
@@ -50,6 +52,7 @@ def test_a_photograph_is_solved_within_its_limits():
     assert one_picture.off(true, true * np.r_[np.ones(7), 1.2, 1, 1, 1])[2] == pytest.approx(20)
 
 
+all_kinds = break_it.kinds
 expected = functools.cache(lambda task: tasks.expected(task, task_seeds(0)))
 
 
@@ -59,7 +62,8 @@ def job(text, task="honest_edge"):
 
 @pytest.fixture(autouse=True)
 def few(monkeypatch):
-    """One scene of each kind, one photograph."""
+    """One scene of each kind, one photograph, and the faults that a hand-out has."""
+    monkeypatch.setattr(break_it, "kinds", lambda: break_it.KINDS)
     monkeypatch.setattr(honest_edge, "SCENES", 1)
     monkeypatch.setattr(one_picture, "PHOTOGRAPHS", 1)
 
@@ -84,9 +88,9 @@ def test_a_score_is_the_same_again():
 
 def scored(text, task="honest_edge"):
     """What is said of each claim, of the mark's trials alone."""
-    calls = open_task.Calls(job(text, task), {task: [tasks.column(task)]})
+    calls = open_task.Calls(job(text, task), task)
     try:
-        entry = tasks.judged(task, task, 40, calls.trial, task_seeds(0)[MARK],
+        entry = tasks.judged(task, task, 40, calls.trial, calls.run, task_seeds(0)[MARK],
                              expected(task)[MARK])
     finally:
         calls.pytest_sessionfinish()
@@ -145,16 +149,56 @@ def test_the_truth_is_too_slow_to_hand_in(monkeypatch):
 
 def test_a_search_has_the_labs_whole():
     """Earlier labs answer through the socket: a search dies of its thousand pictures."""
-    naive = exercises.read(places.ROOT / "tasks" / "naive" / "one_picture.py")
-    found = open_task.examine(job(naive.replace("steps=300", "steps=3"), "one_picture"))
+    text = exercises.read(places.ROOT / "tasks" / "naive" / "one_picture.py")
+    found = open_task.examine(job(text.replace("steps=300", "steps=3"), "one_picture"))
     assert found.asked[BOARD] == {"rasterization.rasterize": 3}, "a render is a call"
     said = found.entries[0].checks[0].message
     assert re.fullmatch(r"turn \d+\.\d and light \d+\.\d degrees off, focal length \d.*", said)
 
 
+def test_faults_are_quiet_and_drawn(monkeypatch):
+    """The tape's text is another, so that faults are none; both sets have the same numbers."""
+    monkeypatch.setattr(break_it, "kinds", all_kinds)
+    seed, other = task_seeds(0).values()
+    with loader.package(places.ROOT / "reference"):
+        found = tasks.judged("break_it", "", 40, naive.cases, functools.partial(
+            tasks.run_here, "break_it"), seed, break_it.expected(seed))
+    assert found.claims == (4, 20)
+    assert len({*break_it.trials(seed)} | {*break_it.trials(other)}) > 25
+
+
+def test_cases_find_the_same_at_home_and_in_the_sandbox():
+    """What is sent arrives as something else, or a tape keeps what the one before has left."""
+    text = exercises.read(places.ROOT / "tasks" / "naive" / "break_it.py")
+    mark, board = open_task.examine(job(text, "break_it")).entries
+    assert (mark.claims, mark.reached, board.claims) == ((4, 6), 26.5, (4, 6))
+
+
+@pytest.mark.parametrize(("returned", "why"), [
+    ("[('rotation', (np.r_[1.0, 0, 0, 0],), np.eye(4))]", "1 does not hold on the right tape"),
+    ("[('take_backward', (np.ones(1), np.ones(2), np.array([True, False])), np.r_[1.0, 0])]",
+     "1 does not hold on a right tape, written otherwise"),
+    ("[('rotation', (np.ones(4),), __import__('sys').modules)] * 2", "1 does not hold"),
+    ("[('exec', ('',), None)]", "no cases could be tried"),
+    ("[('matmul_backward', (np.ones((4000, 4000)),) * 3, 0.0)] * 9", "no cases could be tried")])
+def test_who_accuses_a_right_tape_finds_no_fault(monkeypatch, returned, why):
+    """Cases that fail on everything find all faults; work without end stops the grader."""
+    monkeypatch.setattr(break_it, "SECONDS", 1.0)
+    monkeypatch.setattr(break_it, "ALL_SECONDS", 1.0)
+    text = f"import numpy as np\n\ndef cases():\n    return {returned}\n"
+    assert all(verdict == "failed" and why in said for verdict, said in scored(text, "break_it"))
+
+
+@pytest.mark.parametrize("found", [None, [], [("exec", (), 0)], [("backward", ())], [0.0] * 101])
+def test_what_is_no_case_is_told_in_a_sentence(found):
+    """A traceback at home, of a tape that is none of the student's."""
+    with pytest.raises(ValueError, match="return a list of 1 to 100|a case is"):
+        break_it.cases(found)
+
+
 def test_a_scoreboard_names_nobody():
     """A nickname is HTML; a student's name, or what the mark is made of, stands on it."""
-    entry = tasks.judged("honest_edge", BOARD, 0, lambda *_: None, 0, [[0.0]] * 4)
+    entry = tasks.judged("honest_edge", BOARD, 0, lambda *_: None, None, 0, [[0.0]] * 4)
     Told = type("Told", (), {"result": type("Found", (), {"asked": {}, "entries": [
         entry._replace(name=open_task.nickname("x\n# nickname: <b>owl\n")),
         entry._replace(number="honest_edge", name="secret")]})})

@@ -25,9 +25,9 @@ def examine(job) -> Result:
     (task,) = {*TASKS} & {*job.texts, *job.missing}
     entries, lost, asked = [], {}, {}
     for which, name, points in ((MARK, task, tasks.column(task).points), (BOARD, BOARD, 0)):
-        calls = Calls(job, {task: [tasks.column(task)]})
+        calls = Calls(job, task)
         try:
-            entry = tasks.judged(task, name, points, calls.trial, job.task[which],
+            entry = tasks.judged(task, name, points, calls.trial, calls.run, job.task[which],
                                  job.asks[which])
             asked[name] = calls.counted()
         finally:
@@ -49,10 +49,11 @@ def nickname(text):
 class Calls(Examination):
     """Calls of an open task's one function."""
 
-    def __init__(self, job, labs):
-        super().__init__(job, labs)
-        self.running, self.at_stake = next(iter(labs)), State.SPOILT
+    def __init__(self, job, task):
+        super().__init__(job, {task: [tasks.column(task)]})
+        self.running, self.at_stake = task, State.SPOILT
         self.why = []  # sentences on the workers that were lost
+        self.ours = None  # Calls of our own modules
 
     def trial(self, *given):
         """What the function returns. A worker that is lost takes a call's time, and its answer."""
@@ -73,6 +74,18 @@ class Calls(Examination):
             raise
         finally:
             self.budget = budget
+
+    def run(self, text, returned):
+        """What our own text's function makes of it: in a worker that has nothing else of theirs."""
+        self.ours = self.ours or Calls(self.job._replace(missing={}), self.running)
+        self.ours.finish()
+        self.ours.own, self.ours.job = {}, self.ours.job._replace(texts={self.running: text})
+        return self.ours.trial(returned)
+
+    def pytest_sessionfinish(self):
+        super().pytest_sessionfinish()
+        if self.ours:
+            self.ours.pytest_sessionfinish()
 
     def answer(self, topic, name, question):
         """To a stand-in, of which there are none here."""
