@@ -177,6 +177,7 @@ def keep_outlines(search, pairs, begin, end, through, met):
         at = leave(points, faces, np.intp(face_index[owner]), frame)
         for _ in range(search.steps):
             if -np.inf < at.c <= search.most and is_silhouette(points, faces, opposite, at):
+                at = last_fold(search, face_index[other], at, frame)
                 kept += put(pairs, kept, owner, other, at, search.surface, frame)
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
@@ -189,6 +190,23 @@ def keep_outlines(search, pairs, begin, end, through, met):
                 frame = frame_of(owner, other, width)
                 at = leave(points, faces, np.intp(face_index[owner]), frame)
     return kept, met
+
+
+@kernel
+def last_fold(search, goal, first, frame):
+    """`outline_walk.last_folds` for one pair, of which the Crossing at the first fold is known."""
+    points, faces, opposite = search.surface
+    last = at = first
+    for _ in range(search.steps - 1):
+        across = opposite[at.face, at.edge]
+        if not 0 <= across < faces.size or across // 3 == goal:
+            break
+        at = enter(points, faces, across, frame)
+        if not abs(at.c) < 1 or (at.face == first.face and at.edge == first.edge):
+            break
+        if at.c > last.c and is_silhouette(points, faces, opposite, at):
+            last = at
+    return last
 
 
 @kernel
