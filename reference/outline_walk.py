@@ -130,6 +130,14 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3
     return some(pairs, found), some(pairs, through)
 
 
+def step_over(walk, n, mesh, opposite):
+    """The walks n of Pairs take a step."""
+    across = opposite[walk.face[n], walk.edge[n]]
+    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
+    for values, new in zip(walk, step, strict=True):
+        values[..., n] = new
+
+
 def last_folds(pairs, face_index, clip, faces, opposite):
     """Pairs with an outline, at the last fold of their surface instead of the first.
 
@@ -143,13 +151,10 @@ def last_folds(pairs, face_index, clip, faces, opposite):
     last, at = (Pairs(*map(np.array, pairs)) for _ in range(2))
     for _ in range(2 * len(faces) - 1):
         across = opposite[at.face[go], at.edge[go]]
-        on = (across >= 0) & (across // 3 != goal[go])
-        go, across = go[on], across[on]
+        go = go[(across >= 0) & (across // 3 != goal[go])]
         if len(go) == 0:
             break
-        step = enter_faces(pairs.owner[go], pairs.other[go], across, screen, faces, width)
-        for values, new in zip(at, step, strict=True):
-            values[..., go] = new
+        step_over(at, go, (screen, faces, width), opposite)
         is_around = (at.face[go] == pairs.face[go]) & (at.edge[go] == pairs.edge[go])
         go = go[(np.abs(at.c[go]) < 1) & ~is_around]
         farther = go[silhouette[at.face[go], at.edge[go]] & (at.c[go] > last.c[go])]
