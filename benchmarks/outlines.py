@@ -82,7 +82,7 @@ def gradients(scene, peers):
         yield method, through_edges + pipeline.interior_backward(grad_colour, seen, faces,
                                                                  colours)[1]
     pull = outline_walk.outline_pull_backward(gradient, seen.colour,
-                                              outline_walk.outline_pairs(*edges)[0], clip)
+                                              outline_walk.both_pairs(*edges)[0], clip)
     yield "pull", pull + pipeline.interior_backward(gradient, seen, faces, colours)[1]
     for name, peer in peers.items():
         yield name, peer(scene)["both ways"]()[1]

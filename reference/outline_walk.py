@@ -130,12 +130,48 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3
     return some(pairs, found), some(pairs, through)
 
 
+def step_over(walk, n, mesh, opposite):
+    """The walks n of Pairs take a step."""
+    across = opposite[walk.face[n], walk.edge[n]]
+    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
+    for values, new in zip(walk, step, strict=True):
+        values[..., n] = new
+
+
+def last_folds(pairs, face_index, clip, faces, opposite):
+    """Pairs with an outline, at the last fold of their surface instead of the first.
+
+    A bumpy surface folds back and comes forward again. What the pair's line cuts out of it is a
+    curve, which covers all up to its greatest c. So walk on along the curve, a pixel behind the
+    owner's centre at most, once around at most, and as long as the other's face is not reached.
+    """
+    height, width = face_index.shape
+    screen, silhouette = all_silhouettes(clip, faces, opposite, width, height)
+    goal, go = face_index.ravel()[pairs.other], np.arange(len(pairs.c))
+    last, at = (Pairs(*map(np.array, pairs)) for _ in range(2))
+    for _ in range(2 * len(faces) - 1):
+        across = opposite[at.face[go], at.edge[go]]
+        go = go[(across >= 0) & (across // 3 != goal[go])]
+        if len(go) == 0:
+            break
+        step_over(at, go, (screen, faces, width), opposite)
+        is_around = (at.face[go] == pairs.face[go]) & (at.edge[go] == pairs.edge[go])
+        go = go[(np.abs(at.c[go]) < 1) & ~is_around]
+        farther = go[silhouette[at.face[go], at.edge[go]] & (at.c[go] > last.c[go])]
+        for values, new in zip(last, at, strict=True):
+            values[..., farther] = new[..., farther]
+    return last
+
+
 def both_pairs(face_index, depth, clip, faces, opposite):
-    """What `outline_pairs` finds, as Pairs of arrays, whatever tuples or lists it returns."""
-    with np.errstate(all="ignore"):  # of vertices that no seen face has
-        found = outline_pairs(face_index, depth, clip, faces, opposite)
+    """What `outline_pairs` finds, the first with their `last_folds`, as Pairs of arrays, whatever
+    tuples or lists it returns.
+    """
     kinds = np.intp, np.intp, float, np.intp, float, float, np.intp, np.intp
-    return [Pairs(*map(np.asarray, pairs, kinds)) for pairs in found]
+    with np.errstate(all="ignore"):  # of vertices that no seen face has
+        found, others = (Pairs(*map(np.asarray, pairs, kinds)) for pairs in outline_pairs(
+            face_index, depth, clip, faces, opposite))
+        return last_folds(found, face_index, clip, faces, opposite), others
 
 
 def walked_pairs(face_index, depth, clip, faces, opposite):

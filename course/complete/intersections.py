@@ -15,7 +15,7 @@ where l_k are the weights of a face's corners at c. This line is an edge that th
 import numpy as np
 
 from .antialiasing import Pairs, blend_pairs_backward, brought, pair_step, screen_backward
-from .outline_walk import both_pairs, enter_faces
+from .outline_walk import both_pairs, step_over
 from .outlines import leave_faces, some, steep_pairs
 from .rasterization import screen_points
 
@@ -73,14 +73,6 @@ def followed(met, clip, faces, opposite, shape):
             step_over(walk, go[goes_on & (c.argmin(0) == k)], mesh, opposite)
         go = go[goes_on]
     return some(met, is_met)
-
-
-def step_over(walk, n, mesh, opposite):
-    """The walks n of Pairs take a step."""
-    across = opposite[walk.face[n], walk.edge[n]]
-    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
-    for values, new in zip(walk, step, strict=True):
-        values[..., n] = new
 
 
 def meetings(pairs, clip):

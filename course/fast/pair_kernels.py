@@ -177,7 +177,7 @@ def keep_outlines(search, pairs, begin, end, through, met):
         at = leave(points, faces, np.intp(face_index[owner]), frame)
         for _ in range(search.steps):
             if -np.inf < at.c <= search.most and is_silhouette(points, faces, opposite, at):
-                kept += put(pairs, kept, owner, other, at, search.surface, frame)
+                kept += put(pairs, kept, owner, other, at, search, frame)
                 break
             if -np.inf < at.c < 1 and opposite[at.face, at.edge] // 3 != face_index[other]:
                 at = enter(points, faces, opposite[at.face, at.edge], frame)
@@ -192,14 +192,32 @@ def keep_outlines(search, pairs, begin, end, through, met):
 
 
 @kernel
-def put(pairs, n, owner, other, at, surface, frame):
-    """Write pair n, at a Crossing -> whether it is blended."""
+def last_fold(search, goal, first, frame):
+    """`outline_walk.last_folds` for one pair, of which the Crossing at the first fold is known."""
+    points, faces, opposite = search.surface
+    last = at = first
+    for _ in range(search.steps - 1):
+        across = opposite[at.face, at.edge]
+        if not 0 <= across < faces.size or across // 3 == goal:
+            break
+        at = enter(points, faces, across, frame)
+        if not abs(at.c) < 1 or (at.face == first.face and at.edge == first.edge):
+            break
+        if at.c > last.c and is_silhouette(points, faces, opposite, at):
+            last = at
+    return last
+
+
+@kernel
+def put(pairs, n, owner, other, at, search, frame):
+    """Write pair n, whose first fold is at a Crossing -> whether it is blended."""
+    at = last_fold(search, search.face_index[other], at, frame)
     pairs.owner[n], pairs.other[n] = owner, other
     pairs.face[n], pairs.edge[n] = at.face, at.edge
     pairs.c[n] = at.c
     for k in range(2):
-        vertex = surface.faces[at.face, (at.edge + 1 + k) % 3]
-        end = in_frame(point(surface.points, vertex), frame)
+        vertex = search.surface.faces[at.face, (at.edge + 1 + k) % 3]
+        end = in_frame(point(search.surface.points, vertex), frame)
         pairs.ends[k, n], pairs.x[k, n], pairs.y[k, n] = vertex, end.x, end.y
     is_steep = abs(pairs.y[1, n] - pairs.y[0, n]) >= abs(pairs.x[1, n] - pairs.x[0, n])
     return -WINDOW < at.c < 1 + WINDOW and is_steep and not (at.c == 0.5 and owner < other)

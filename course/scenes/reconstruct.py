@@ -22,8 +22,7 @@ BUNNY_SIZE = 0.85
 
 def reconstruct(labs):
     """Shape, albedo and light from 24 pictures (lab 16)."""
-    stage = labs.multi_view_fit.Stage
-    rings = stage(16, 2, 1, 80, 1.0), stage(24, 2, 1, 60, 0.5), stage(32, 1, 1, 60, 0.3)
+    rings = ring_stages(labs)
     for name, stages, seconds, genus, percent in (
             ("ring", rings, 180, 1, 1.0), ("two rings", rings, 180, 2, 1.0),
             ("bunny", fine_stages(labs), 360, 0, 1.2)):
@@ -38,6 +37,12 @@ def reconstruct(labs):
         image.write_animation(path, frames + 12 * frames[-1:], 0.12)
         yield f"{name}: {spent:.0f} s", path, (f"{seconds} s", spent <= seconds)
         yield from compared(labs, x, name, genus, percent)
+
+
+def ring_stages(labs):
+    """Lab 16's Stages of searches for what has holes."""
+    stage = labs.multi_view_fit.Stage
+    return stage(16, 2, 1, 80, 1.0), stage(24, 2, 1, 60, 0.5), stage(32, 1, 1, 60, 0.3)
 
 
 def fine_stages(labs, size=128):

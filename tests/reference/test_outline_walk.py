@@ -34,6 +34,22 @@ def bumps():
     return pipeline.to_clip(x * (1 + 0.4 * np.sin(7 * x[:, :1])), FAR), faces
 
 
+def test_nothing_of_a_bumpy_surface_lies_beyond_its_outline():
+    """The walk ends at the first of many folds, as that of a fifth of the pairs does here."""
+    x, faces = mesh.icosphere(2_000)
+    clip = pipeline.to_clip(x + np.random.default_rng(0).uniform(-0.04, 0.04, x.shape), FAR)
+    seen, _ = drawn(clip, faces, 32, 32)
+    (fine, *_), _ = drawn(clip, faces, 32 * 33, 32 * 33)
+    pairs, _ = outline_walk.both_pairs(*seen)
+    row, column = np.divmod(pairs.owner, 32)
+    dx, dy = antialiasing.pair_step(pairs.owner, pairs.other, 32)
+    beyond = pairs.c + 0.06
+    there = fine[(33 * (row + 0.5 + dy * beyond)).astype(int),
+                 (33 * (column + 0.5 + dx * beyond)).astype(int)] >= 0
+    is_rim = (seen[0].ravel()[pairs.other] < 0) & (beyond < 1)
+    assert is_rim.sum() > 80 and there[is_rim].mean() < 0.02
+
+
 def floor():
     x = np.array([[-3.0, 0, -3], [3, 0, -3], [3, 0, 6], [-3, 0, 6]])
     return pipeline.to_clip(x, LOW), np.array([[0, 2, 1], [0, 3, 2]])
