@@ -275,12 +275,12 @@ def test_a_face_beyond_2_to_24_has_a_number_of_its_own():
     np.testing.assert_array_equal(coded[3:].view(np.int32) - 0x4A800000, face[3:] + 1)
     rast = np.zeros((6, 4), np.float32)
     rast[:, 3] = coded
-    np.testing.assert_array_equal(pixels.faces_of(rast, 889192447), face)
+    np.testing.assert_array_equal(pixels.faces_of(rast), face)
     tri = torch.zeros((2**24 + 2, 3), dtype=torch.int32)
     tri[-1] = torch.arange(3)
     pos, ranges = made_scene(torch.float32)[0], torch.tensor([[2**24, 2]], dtype=torch.int32)
     rast, _ = seen(pos[0], tri, (9, 12), ranges)
-    assert set(pixels.faces_of(rast.detach().numpy(), len(tri)).ravel()) == {-1, 2**24 + 1}
+    assert set(pixels.faces_of(rast.detach().numpy()).ravel()) == {-1, 2**24 + 1}
 
 
 @pytest.mark.parametrize("boundary", ["wrap", "zero", "clamp"])
