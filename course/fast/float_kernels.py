@@ -7,7 +7,7 @@
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
     blend_pairs_backward
 
-rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db (H, W, 4) du/dX, du/dY, dv/dX, dv/dY.
+rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db du/dX, du/dY, dv/dX, dv/dY.
 
 Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
@@ -64,12 +64,10 @@ def mix_corners(values, faces, look, chosen, part, out, out_da):
 
 
 @kernel
-def mix_corners_backward(grad_out, grad_da, values, faces, look, chosen, grads):
-    """Eq. (7): adds to grads of values (V, A), rast (P, 4), rast_db (P or 0, 4). grad_out (P, A),
-    or (P, 0) for zeros.
-    """
-    face_index, rast, rast_db = look
-    grad_values, grad_rast, grad_db = grads
+def mix_corners_backward(grad_out, values, faces, look, grads):
+    """Eq. (7): adds to grads of values (V, A), rast (P, 4), rast_db. grad_out (P, A)."""
+    face_index, rast, _ = look
+    grad_values, grad_rast, _ = grads
     for p in range(np.uintp(len(face_index))):
         if face_index[p] >= 0:
             i, j, k = corners_of(faces, np.uintp(face_index[p]))
@@ -82,15 +80,24 @@ def mix_corners_backward(grad_out, grad_da, values, faces, look, chosen, grads):
                 grad_values[j, c] += v * grad
                 grad_values[k, c] += (1 - u - v) * grad
             grad_rast[p, 0], grad_rast[p, 1] = grad_u, grad_v
-            for d in range(np.uintp(len(chosen))):
-                c = np.uintp(chosen[d])
-                for axis in (np.uintp(0), np.uintp(1)):
-                    grad, across = np.float64(grad_da[p, np.uintp(2) * d + axis]), axis + np.uintp(2)
-                    grad_db[p, axis] += grad * (values[i, c] - values[k, c])
-                    grad_db[p, across] += grad * (values[j, c] - values[k, c])
-                    grad_values[i, c] += grad * rast_db[p, axis]
-                    grad_values[j, c] += grad * rast_db[p, across]
-                    grad_values[k, c] -= grad * (rast_db[p, axis] + rast_db[p, across])
+
+
+@kernel
+def derivatives_backward(grad_da, values, faces, look, chosen, grads):
+    """Adds to the same grads what comes by the derivatives (P, 2 D)."""
+    face_index, _, rast_db = look
+    grad_values, _, grad_db = grads
+    for p in range(np.uintp(len(face_index))):
+        if face_index[p] >= 0:
+            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+            for d in range(np.uintp(2 * len(chosen))):
+                c, axis = np.uintp(chosen[d // 2]), d % np.uintp(2)
+                grad, across = np.float64(grad_da[p, d]), axis + np.uintp(2)
+                grad_db[p, axis] += grad * (values[i, c] - values[k, c])
+                grad_db[p, across] += grad * (values[j, c] - values[k, c])
+                grad_values[i, c] += grad * rast_db[p, axis]
+                grad_values[j, c] += grad * rast_db[p, across]
+                grad_values[k, c] -= grad * (rast_db[p, axis] + rast_db[p, across])
 
 
 def sound(clip, faces):
@@ -125,7 +132,8 @@ def draw(clip, faces, first, beyond, rast, rast_db):
     else:
         points, _ = compiled_pipeline.screen_vertices(clip, width, height)
         face_index, depth = scanline.rasterize(clip, faces, width, height, beyond)
-    mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, *weights_as_uv(len(faces), 0, 0.0))
+    places = weights_as_uv(len(faces), 0, 0.0)
+    mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, *places)
     pixels, changes = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
     picture = footprint_kernels.flat(face_index)
     list(each_band(lambda runs: footprint_kernels.footprints_along(runs, picture, mesh, pixels,
@@ -173,12 +181,12 @@ def mix(values, faces, face_index, rast, rast_db, chosen):
 def mix_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
     """Backward of `mix` -> gradients of values, rast and rast_db. grad_out, grad_da may be None."""
     values, faces = sound(values, faces)
-    nothing = np.empty((face_index.size, 0), np.float32)
-    grad_out = nothing if grad_out is None else grad_out
-    grad_da, chosen = (nothing, chosen[:0]) if grad_da is None else (grad_da, chosen)
-    look = look_at(face_index, rast, rast_db if len(chosen) else None)
+    look = look_at(face_index, rast, rast_db)
     grads = np.zeros(values.shape), np.zeros_like(look[1]), np.zeros_like(look[2])
-    mix_corners_backward(grad_out, grad_da, values, faces, look, chosen, grads)
+    if grad_out is not None:
+        mix_corners_backward(grad_out, values, faces, look, grads)
+    if grad_da is not None:
+        derivatives_backward(grad_da, values, faces, look, chosen, grads)
     return grads
 
 

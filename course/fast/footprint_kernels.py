@@ -113,9 +113,7 @@ def has_corners(faces, uv_faces, face, vertex_count):
 
 @kernel
 def footprints_along(runs, picture, mesh, at, footprint):
-    """The footprints of some runs: at (N, 2 or more), footprint (N, 4), on screen. False if faces
-    or vertices are not there.
-    """
+    """Writes at (N, 2 or more), footprint (N, 4) of runs. False: a face or vertex is not there."""
     face_index, width = picture
     screen, faces, uv, uv_faces, _ = mesh
     starts, ends, numbers = runs

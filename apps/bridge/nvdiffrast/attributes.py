@@ -107,7 +107,7 @@ def mix_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, ch
     by_axis = 2 * [None] if grad_da is None else (grad_da[:, 0::2], grad_da[:, 1::2])
     into = grad_rast[..., :2], grad_db[..., 0::2], grad_db[..., 1::2]
     for (each, weights), at, grad, grad_uv in zip(
-            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into):
+            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into, strict=False):
         if grad is not None:
             by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
                 grad.reshape(*face_index.shape, -1), each, faces, face_index, weights)
