@@ -19,14 +19,14 @@ from .texel_kernels import constant
 from .texturing import Sampler
 
 # Of N pixels: directions (N, 3), their changes (N or 0, 6), a bias (N or 0, 1); and which filter.
-Look = namedtuple("Look", "directions changes bias blends is_nearest")
+Directions = namedtuple("Directions", "directions changes bias blends is_nearest")
 
 # What a pixel sees: a place on a face, the lower level, and the share of the upper.
 Sight = namedtuple("Sight", "face u v level share")
 
 
 @kernel
-def in_frame(face, x, y, z):
+def turned(face, x, y, z):
     """right . d, down . d, out . d of a face."""
     return (FRAMES[face, 0, 0] * x + FRAMES[face, 0, 1] * y + FRAMES[face, 0, 2] * z,
             FRAMES[face, 1, 0] * x + FRAMES[face, 1, 1] * y + FRAMES[face, 1, 2] * z,
@@ -42,7 +42,7 @@ def on_face(x, y, z):
         face = 2 if y > 0 else 3
     else:
         face = 4 if z > 0 else 5
-    right, down, m = in_frame(face, x, y, z)
+    right, down, m = turned(face, x, y, z)
     return face, (1 + right / m) / 2, (1 + down / m) / 2, m
 
 
@@ -52,8 +52,8 @@ def level_at(look, n, at, size):
     level = np.float64(look.bias[n, 0]) if len(look.bias) else 0.0
     if len(look.changes):
         d, (face, u, v, m) = look.changes[n], at
-        s_x, t_x, m_x = in_frame(face, np.float64(d[0]), np.float64(d[2]), np.float64(d[4]))
-        s_y, t_y, m_y = in_frame(face, np.float64(d[1]), np.float64(d[3]), np.float64(d[5]))
+        s_x, t_x, m_x = turned(face, np.float64(d[0]), np.float64(d[2]), np.float64(d[4]))
+        s_y, t_y, m_y = turned(face, np.float64(d[1]), np.float64(d[3]), np.float64(d[5]))
         s_x, t_x = s_x - (2 * u - 1) * m_x, t_x - (2 * v - 1) * m_x
         s_y, t_y = s_y - (2 * u - 1) * m_y, t_y - (2 * v - 1) * m_y
         A, B, C = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y, s_x * s_y + t_x * t_y
@@ -157,11 +157,11 @@ def add_up(look, grads, grad_colour, channels):
                 texels[m + c] += D * grad
 
 
-def prepared(image, parts, filter_mode, top):
-    """Look, pyramid and channels of what is looked up."""
+def looked_at(image, parts, filter_mode, top):
+    """Directions, pyramid and channels of what is looked up."""
     parts = (np.empty((0, size), np.float32) if part is None else part.reshape(-1, size)
              for part, size in zip(parts, (3, 6, 1), strict=True))
-    look = Look(*parts, filter_mode == "linear-mipmap-linear", filter_mode == "nearest")
+    look = Directions(*parts, filter_mode == "linear-mipmap-linear", filter_mode == "nearest")
     channels = constant(image.shape[2])
     return look, pyramid_kernels.make_pyramid(image, Sampler("mipmap", "", top), channels), channels
 
@@ -171,7 +171,7 @@ def texture(image, directions, changes, bias, filter_mode, _, top):
 
     directions (N, 3), their changes (N, 3, 2) or None, bias (N,) or None. All is float32.
     """
-    look, pyramid, channels = prepared(image, (directions, changes, bias), filter_mode, top)
+    look, pyramid, channels = looked_at(image, (directions, changes, bias), filter_mode, top)
     colour = np.zeros((len(directions), len(channels)), np.float32)
     on_all_cores(lambda *part: look_up(look, pyramid, part, colour, channels),
                  len(colour), len(colour))
@@ -180,7 +180,7 @@ def texture(image, directions, changes, bias, filter_mode, _, top):
 
 def texture_backward(grad_colour, image, directions, changes, bias, filter_mode, _, top):
     """Backward of `texture`: grad_colour (N, C) -> grad_image. Others are None."""
-    look, grads, channels = prepared(np.zeros(image.shape), (directions, changes, bias),
+    look, grads, channels = looked_at(np.zeros(image.shape), (directions, changes, bias),
                                      filter_mode, top)
     add_up(look, grads, grad_colour, channels)
     pyramid_kernels.add_to_image(grads, channels)

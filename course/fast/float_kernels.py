@@ -1,9 +1,9 @@
 """Float kernels: what apps/bridge does with float32 numbers, there and back, as compiled loops.
 
-    draw, draw_backward               labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
+    draw_pixels                       labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
                                       third weight
     unpacked                          what rast sees
-    mix, mix_backward                 lab 5, by mix_corners
+    mix_attributes                    lab 5, by mix_corners
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
     blend_pairs_backward
 
@@ -121,7 +121,7 @@ def runs_of(picture):
             for i, j in parts(len(runs.start), 1 + len(picture.face_index) // BAND)]
 
 
-def draw(clip, faces, first, beyond, rast, rast_db):
+def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     """Writes to rast and rast_db, 0 before -> face_index, depth (H, W). Faces are numbered from
     first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
@@ -142,8 +142,8 @@ def draw(clip, faces, first, beyond, rast, rast_db):
     return face_index, depth
 
 
-def draw_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
-    """Backward of `draw` -> grad_clip (V, 4). A gradient that is None is 0."""
+def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+    """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
     clip, faces = sound(clip, faces[:, (2, 0, 1)])  # the first one has 0 for u and for v
     mesh = footprint_kernels.Wrapped(clip, faces, *weights_as_uv(len(faces), 1, epsilon))
     grads = (np.zeros((face_index.size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
@@ -165,7 +165,7 @@ def look_at(face_index, rast, rast_db):
     return face_index.ravel(), rast.reshape(-1, 4), rast_db
 
 
-def mix(values, faces, face_index, rast, rast_db, chosen):
+def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
     (P, 2 D).
     """
@@ -178,8 +178,10 @@ def mix(values, faces, face_index, rast, rast_db, chosen):
     return out, out_da
 
 
-def mix_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
-    """Backward of `mix` -> gradients of values, rast and rast_db. grad_out, grad_da may be None."""
+def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
+    may be None.
+    """
     values, faces = sound(values, faces)
     look = look_at(face_index, rast, rast_db)
     grads = np.zeros(values.shape), np.zeros_like(look[1]), np.zeros_like(look[2])

@@ -53,7 +53,7 @@ class Interpolate(torch.autograd.Function):
         for value, pixels, change in zip(values, pictures, changes, strict=True):
             face_index, _ = seen_in(pixels, len(faces), kernels)
             ctx.given.append((value, faces, face_index, pixels, change, chosen))
-        out, out_da = zip(*(ctx.way.mix(*given) for given in ctx.given), strict=True)
+        out, out_da = zip(*(ctx.way.mix_attributes(*given) for given in ctx.given), strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)
         return (joined(out, attr, (*rast.shape[:3], attr.shape[-1])),
@@ -65,7 +65,7 @@ class Interpolate(torch.autograd.Function):
         attr, rast, _, rast_db = ctx.saved_tensors
         rows = (len(ctx.given) * [None] if grad is None or not grad.shape[-1] else
                 grad.numpy().reshape(len(ctx.given), -1, grad.shape[-1]) for grad in grads)
-        found = [ctx.way.mix_backward(grad_out, grad_da, *given)
+        found = [ctx.way.mix_attributes_backward(grad_out, grad_da, *given)
                  for grad_out, grad_da, given in zip(*rows, ctx.given, strict=True)]
         by_attr, by_rast, by_db = zip(*found, strict=True)
         has_db = rast_db is not None and grads[1] is not None
@@ -89,7 +89,7 @@ def kinds(values, rast, rast_db, chosen):
             yield values[:, chosen], corner_weights(rast_db[..., axis::2], 0)
 
 
-def mix(values, faces, face_index, rast, rast_db, chosen):
+def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
     (P, 2 D). face_index (H, W); rast and rast_db (H, W, 4).
     """
@@ -99,15 +99,18 @@ def mix(values, faces, face_index, rast, rast_db, chosen):
     return out.reshape(face_index.size, -1), by_axis.reshape(face_index.size, 2 * len(chosen))
 
 
-def mix_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
-    """Backward of `mix` -> gradients of values, rast and rast_db. grad_out, grad_da may be None."""
+def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
+    may be None.
+    """
     grad_values = np.zeros(values.shape)
     grad_rast, grad_db = np.zeros((2, *face_index.shape, 4))
     columns = np.arange(values.shape[1]), chosen, chosen
     by_axis = 2 * [None] if grad_da is None else (grad_da[:, 0::2], grad_da[:, 1::2])
     into = grad_rast[..., :2], grad_db[..., 0::2], grad_db[..., 1::2]
     for (each, weights), at, grad, grad_uv in zip(
-            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into, strict=False):
+            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into,
+            strict=False):
         if grad is not None:
             by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
                 grad.reshape(*face_index.shape, -1), each, faces, face_index, weights)

@@ -105,8 +105,8 @@ class Rasterize(torch.autograd.Function):
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
         ctx.seen, ctx.way = [], tensors.kernels(pos) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
-            face_index, depth = ctx.way.draw(clip, faces, first, depths.get(n) if depths else None,
-                                             rast[n], rast_db[n])
+            face_index, depth = ctx.way.draw_pixels(
+                clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
             if first + len(faces) > EXACT:
                 rast[n, ..., 3] = coded(np.where(face_index < 0, 0, face_index + (first + 1)),
                                         rast.dtype)
@@ -124,7 +124,7 @@ class Rasterize(torch.autograd.Function):
     def backward(ctx, grad_rast, grad_rast_db):
         pos, *_ = ctx.saved_tensors
         grads_db = grad_rast_db if ctx.grad_db else None
-        grads = [ctx.way.draw_backward(*(None if grad is None else grad[n].numpy()
+        grads = [ctx.way.draw_pixels_backward(*(None if grad is None else grad[n].numpy()
                                          for grad in (grad_rast, grads_db)),
                                        ctx.seen[n], clip, faces, EPSILON)
                  for n, (clip, faces, _) in enumerate(ctx.batch)]
@@ -132,7 +132,7 @@ class Rasterize(torch.autograd.Function):
         return grad_pos, None, None, None, None, None
 
 
-def draw(clip, faces, first, beyond, rast, rast_db):
+def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     """Writes to rast and rast_db (H, W, 4), 0 before -> face_index, depth (H, W). Faces are
     numbered from first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
@@ -152,8 +152,8 @@ def draw(clip, faces, first, beyond, rast, rast_db):
     return face_index, depth
 
 
-def draw_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
-    """Backward of `draw` -> grad_clip (V, 4). A gradient that is None is 0."""
+def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+    """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
     grad_weights, grad_derivatives = np.zeros((*face_index.shape, 3)), None
     if grad_rast is not None:
         grad_weights[..., :2] = grad_rast[..., :2]

@@ -28,9 +28,7 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels from 1 on, or a `texture_construct_mip`.
     """
     mode = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
-    boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
-    require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
-            f"not {boundary_mode!r}")
+    require_boundary(boundary_mode)
     is_cube = boundary_mode == "cube"
     if "mipmap" not in mode:
         uv_da = mip_level_bias = None
@@ -49,6 +47,13 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels = list(zip(*texels, strict=True))
     return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
                          *stack)
+
+
+def require_boundary(boundary_mode):
+    """RuntimeError if there is no such boundary."""
+    boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
+    require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
+            f"not {boundary_mode!r}")
 
 
 def how_to_read(mode, boundary, is_made, given):
