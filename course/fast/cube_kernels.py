@@ -22,7 +22,7 @@ from .texturing import Sampler
 Directions = namedtuple("Directions", "directions changes bias blends is_nearest")
 
 # What a pixel sees: a place on a face, the lower level, and the share of the upper.
-Sight = namedtuple("Sight", "face u v level share")
+OnCube = namedtuple("OnCube", "face u v level share")
 
 
 @kernel
@@ -69,12 +69,12 @@ def sight(look, n, pyramid):
     x, y, z = (np.float64(look.directions[n, 0]), np.float64(look.directions[n, 1]),
                np.float64(look.directions[n, 2]))
     if not SHORTEST < max(abs(x), abs(y), abs(z)) < np.inf or np.isnan(x + y + z):
-        return Sight(-1, 0.0, 0.0, 0, 0.0)
+        return OnCube(-1, 0.0, 0.0, 0, 0.0)
     at = on_face(x, y, z)
     level = level_at(look, n, at, pyramid.width[0]) if top else 0.0
     level = min(level, float(top)) if level > 0 else 0.0  # also where it is no number
     share = level - int(level) if look.blends else 0.0
-    return Sight(at[0], at[1], at[2], int(level), share)
+    return OnCube(at[0], at[1], at[2], int(level), share)
 
 
 @kernel
@@ -166,7 +166,7 @@ def looked_at(image, parts, filter_mode, top):
     return look, pyramid_kernels.make_pyramid(image, Sampler("mipmap", "", top), channels), channels
 
 
-def texture(image, directions, changes, bias, filter_mode, _, top):
+def cube_colours(image, directions, changes, bias, filter_mode, _, top):
     """`cube_maps.cube_filtered` of levels 0 to top: image (6 n, n, C) -> colours (N, C).
 
     directions (N, 3), their changes (N, 3, 2) or None, bias (N,) or None. All is float32.
@@ -178,8 +178,8 @@ def texture(image, directions, changes, bias, filter_mode, _, top):
     return colour
 
 
-def texture_backward(grad_colour, image, directions, changes, bias, filter_mode, _, top):
-    """Backward of `texture`: grad_colour (N, C) -> grad_image. Others are None."""
+def cube_colours_backward(grad_colour, image, directions, changes, bias, filter_mode, _, top):
+    """Backward of `cube_colours`: grad_colour (N, C) -> grad_image. Others are None."""
     look, grads, channels = looked_at(np.zeros(image.shape), (directions, changes, bias),
                                      filter_mode, top)
     add_up(look, grads, grad_colour, channels)

@@ -199,17 +199,19 @@ class Texture(torch.autograd.Function):
 
 
 def kernels_for(sampler):
-    """The compiled look-ups."""
-    labs = tensors.labs
-    return labs.cube_kernels if sampler.boundary == "cube" else labs.texel_kernels
+    """The compiled look-up, there and back."""
+    if sampler.boundary == "cube":
+        kernels = tensors.labs.cube_kernels
+        return kernels.cube_colours, kernels.cube_colours_backward
+    return tensors.labs.texel_kernels.texture, tensors.labs.texel_kernels.texture_backward
 
 
 def looked_up(levels, place, sampler):
     """The colours (P, C) of pixels."""
     labs = tensors.labs
     if place.matrix is None:
-        return kernels_for(sampler).texture(levels[0], *place.footprint, *sampler[:2],
-                                            len(levels) - 1)
+        return kernels_for(sampler)[0](levels[0], *place.footprint, *sampler[:2],
+                                       len(levels) - 1)
     found = place.matrix @ labs.mipmapping.pack(levels).texels
     return arrays.masked_scatter(found, place.seen)
 
@@ -217,7 +219,7 @@ def looked_up(levels, place, sampler):
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
     if place.matrix is None:
-        image, *pixels = kernels_for(sampler).texture_backward(
+        image, *pixels = kernels_for(sampler)[1](
             grad, levels[0], *place.footprint, *sampler[:2], len(levels) - 1)
         return (image,), *pixels
     given = grad, levels, place.footprint
