@@ -58,11 +58,10 @@ def array(name, tensor, shape, types=FLOATS):
     return tensor.detach().numpy()
 
 
-def tensor(array, like, shape=None):
-    """An array as a tensor of the type, and unless a shape is given of the shape, of another one.
-
-    It is no view of anything, so a program may change it in place.
+def joined(arrays, like, shape=None):
+    """New arrays of single pictures as one tensor of the type, and unless a shape is given of the
+    shape, of another one.
     """
-    made = np.empty(like.shape if shape is None else shape, DTYPES[like.dtype])
-    made.reshape(array.shape)[...] = array
-    return torch.from_numpy(made)
+    made = arrays[0] if len(arrays) == 1 else np.stack(arrays)
+    made = np.ascontiguousarray(made, DTYPES[like.dtype])
+    return torch.from_numpy(made.reshape(like.shape if shape is None else shape))

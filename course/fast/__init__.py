@@ -15,5 +15,6 @@ replaced by compiled_pipeline and texel_kernels, to the bit (course/given/compil
     texel_kernels      lab 6's look-ups, there and back: `texture`
     footprint_kernels  where each pixel looks up a texture, there and back
     compiled_pipeline  lab 9: `draw` and `draw_backward`, by all of these
+    cube_kernels       lab 6's cube maps, there and back to the texels
     float_kernels      what apps/bridge does with float32 numbers, there and back
 """

@@ -1,10 +1,13 @@
 """Float kernels: what apps/bridge does with float32 numbers, there and back, as compiled loops.
 
-    seen_weights, rasterize_backward  labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
+    draw_pixels                       labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
                                       third weight
-    interpolate, interpolate_backward lab 5, by mix_corners
+    unpacked                          what rast sees
+    mix_attributes                    lab 5, by mix_corners
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
     blend_pairs_backward
+
+rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db du/dX, du/dY, dv/dX, dv/dY.
 
 Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
@@ -25,33 +28,76 @@ def corners_of(faces, face):
 
 
 @kernel
-def mix_corners(values, faces, look, part, out):
-    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before. look:
-    face_index (P,), weights (P, 3).
-    """
-    face_index, weights = look
-    for p in range(np.uintp(part[0]), np.uintp(part[1])):
-        if face_index[p] >= 0:
-            i, j, k = corners_of(faces, np.uintp(face_index[p]))
-            for c in range(np.uintp(values.shape[1])):
-                out[p, c] = (weights[p, 0] * values[i, c] + weights[p, 1] * values[j, c]
-                             + weights[p, 2] * values[k, c])
+def unpack(rast, face_index, depth):
+    """Writes face_index (P,) and depth (P,), inf where no face is seen."""
+    for p in range(np.uintp(len(rast))):
+        face_index[p] = np.int32(rast[p, 3]) - 1
+        depth[p] = rast[p, 2] if face_index[p] >= 0 else np.inf
 
 
 @kernel
-def mix_corners_backward(grad_out, values, faces, look, grad_values, grad_weights):
-    """Eq. (7): adds to grad_values (V, A), grad_weights (P, 3)."""
-    face_index, weights = look
+def pack(face_index, depth, first, rast):
+    """Writes z/w and the faces' numbers, from first + 1 on, to rast (P, 4)."""
+    for p in range(np.uintp(len(rast))):
+        if face_index[p] >= 0:
+            rast[p, 2], rast[p, 3] = depth[p], face_index[p] + first + 1
+
+
+@kernel
+def mix_corners(values, faces, look, chosen, part, out, out_da):
+    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), out_da (P, 2 D)
+    of the chosen (D,), 0 before. look: face_index (P,), rast (P, 4), rast_db (P or 0, 4).
+    """
+    face_index, rast, rast_db = look
+    for p in range(np.uintp(part[0]), np.uintp(part[1])):
+        if face_index[p] >= 0:
+            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+            u, v = np.float64(rast[p, 0]), np.float64(rast[p, 1])
+            for c in range(np.uintp(values.shape[1])):
+                out[p, c] = u * values[i, c] + v * values[j, c] + (1 - u - v) * values[k, c]
+            for d in range(np.uintp(len(chosen))):
+                c = np.uintp(chosen[d])
+                by_u, by_v = values[i, c] - values[k, c], values[j, c] - values[k, c]
+                for axis in (np.uintp(0), np.uintp(1)):
+                    out_da[p, np.uintp(2) * d + axis] = (
+                        rast_db[p, axis] * by_u + rast_db[p, np.uintp(2) + axis] * by_v)
+
+
+@kernel
+def mix_corners_backward(grad_out, values, faces, look, grads):
+    """Eq. (7): adds to grads of values (V, A), rast (P, 4), rast_db. grad_out (P, A)."""
+    face_index, rast, _ = look
+    grad_values, grad_rast, _ = grads
     for p in range(np.uintp(len(face_index))):
         if face_index[p] >= 0:
-            sums, corners = (0.0, 0.0, 0.0), corners_of(faces, np.uintp(face_index[p]))
-            for c in range(np.uintp(values.shape[1])):
-                grad, (i, j, k) = np.float64(grad_out[p, c]), corners
-                sums = (sums[0] + grad * values[i, c], sums[1] + grad * values[j, c],
-                        sums[2] + grad * values[k, c])
-                for corner in range(3):
-                    grad_values[corners[corner], c] += weights[p, corner] * grad
-            grad_weights[p, 0], grad_weights[p, 1], grad_weights[p, 2] = sums
+            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+            u, v, grad_u, grad_v = np.float64(rast[p, 0]), np.float64(rast[p, 1]), 0.0, 0.0
+            for c in range(np.uintp(grad_out.shape[1])):
+                grad = np.float64(grad_out[p, c])
+                grad_u += grad * (values[i, c] - values[k, c])
+                grad_v += grad * (values[j, c] - values[k, c])
+                grad_values[i, c] += u * grad
+                grad_values[j, c] += v * grad
+                grad_values[k, c] += (1 - u - v) * grad
+            grad_rast[p, 0], grad_rast[p, 1] = grad_u, grad_v
+
+
+@kernel
+def derivatives_backward(grad_da, values, faces, look, chosen, grads):
+    """Adds to the same grads what comes by the derivatives (P, 2 D)."""
+    face_index, _, rast_db = look
+    grad_values, _, grad_db = grads
+    for p in range(np.uintp(len(face_index))):
+        if face_index[p] >= 0:
+            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+            for d in range(np.uintp(2 * len(chosen))):
+                c, axis = np.uintp(chosen[d // 2]), d % np.uintp(2)
+                grad, across = np.float64(grad_da[p, d]), axis + np.uintp(2)
+                grad_db[p, axis] += grad * (values[i, c] - values[k, c])
+                grad_db[p, across] += grad * (values[j, c] - values[k, c])
+                grad_values[i, c] += grad * rast_db[p, axis]
+                grad_values[j, c] += grad * rast_db[p, across]
+                grad_values[k, c] -= grad * (rast_db[p, axis] + rast_db[p, across])
 
 
 def sound(clip, faces):
@@ -68,17 +114,18 @@ def weights_as_uv(count, first, epsilon):
     return np.eye(3, 2, -first), np.broadcast_to(np.arange(3), (count, 3)), epsilon
 
 
-def runs_of(face_index):
-    """The runs of a picture (H, W) that see a face, in bands, each numbered by its first pixel."""
-    runs = footprint_kernels.seen_runs(footprint_kernels.flat(face_index))
+def runs_of(picture):
+    """The runs of a Picture that see a face, in bands, each numbered by its first pixel."""
+    runs = footprint_kernels.seen_runs(picture)
     return [(footprint_kernels.Runs(runs.start[i:j], runs.end[i:j], runs.start[i:j]),)
-            for i, j in parts(len(runs.start), 1 + face_index.size // BAND)]
+            for i, j in parts(len(runs.start), 1 + len(picture.face_index) // BAND)]
 
 
-def seen_weights(clip, faces, width, height, beyond):
-    """face_index, depth (H, W), also of what lies beyond a depth (H, W), if that is one; u and v
-    (H, W, 2), and their derivatives (H, W, 2, 2).
+def draw_pixels(clip, faces, first, beyond, rast, rast_db):
+    """Writes to rast and rast_db, 0 before -> face_index, depth (H, W). Faces are numbered from
+    first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
+    height, width, _ = rast.shape
     clip, faces = sound(clip, faces)
     if beyond is None:
         points, face_index, depth = compiled_pipeline.seen(clip, faces, width, height)
@@ -87,48 +134,62 @@ def seen_weights(clip, faces, width, height, beyond):
         face_index, depth = scanline.rasterize(clip, faces, width, height, beyond)
     places = weights_as_uv(len(faces), 0, 0.0)
     mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, *places)
-    uv, derivatives = (np.zeros((height, width, *shape), np.float32) for shape in ((2,), (2, 2)))
-    list(each_band(lambda runs: footprint_kernels.footprints_along(
-        runs, footprint_kernels.flat(face_index), mesh, uv.reshape(-1), derivatives.reshape(-1)),
-        runs_of(face_index)))
-    return face_index, depth, uv, derivatives
+    pixels, changes = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
+    picture = footprint_kernels.flat(face_index)
+    list(each_band(lambda runs: footprint_kernels.footprints_along(runs, picture, mesh, pixels,
+                                                                   changes), runs_of(picture)))
+    pack(picture.face_index, depth.ravel(), first, pixels)
+    return face_index, depth
 
 
-def rasterize_backward(grad_uv, grad_derivatives, _, face_index, clip, faces, epsilon):
-    """`rasterizer_gradients.rasterize_backward` of u and v: (H, W, 2), (H, W, 2, 2)."""
+def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+    """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
     clip, faces = sound(clip, faces[:, (2, 0, 1)])  # the first one has 0 for u and for v
     mesh = footprint_kernels.Wrapped(clip, faces, *weights_as_uv(len(faces), 1, epsilon))
+    grads = (np.zeros((face_index.size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
+             for grad in (grad_rast, grad_rast_db))
     picture = footprint_kernels.flat(face_index)
-    grads = grad_uv.ravel(), grad_derivatives.ravel()
-    grad_clip, unused = np.zeros(clip.shape), np.zeros((3, 2))
-
-    def band(runs):
-        records = np.empty((len(runs.start), 3, 3)), np.empty((len(runs.start), 3, 2))
-        footprint_kernels.run_gradients(runs, picture, mesh, *grads, records)
-        return runs, records
-
-    for runs, records in each_band(band, runs_of(face_index)):
-        footprint_kernels.add_to_corners(runs, picture.face_index, mesh, records, grad_clip, unused)
-    return grad_clip
+    return footprint_kernels.gradients(*grads, picture, mesh, runs_of(picture))[1]
 
 
-def interpolate(attributes, faces, face_index, barycentric):
-    """Lab 5's `interpolate`."""
-    values, faces = sound(attributes, faces)
-    look = face_index.ravel(), barycentric.reshape(-1, 3)
-    out = np.zeros((face_index.size, values.shape[1]), np.float32)
-    on_all_cores(lambda *part: mix_corners(values, faces, look, part, out), *2 * out.shape[:1])
-    return out.reshape(*face_index.shape, -1)
+def unpacked(rast):
+    """face_index and depth (H, W) of what rast sees."""
+    face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2], np.float32)
+    unpack(rast.reshape(-1, 4), face_index.reshape(-1), depth.reshape(-1))
+    return face_index, depth
 
 
-def interpolate_backward(grad_output, attributes, faces, face_index, barycentric):
-    """Lab 5's `interpolate_backward`."""
-    values, faces = sound(attributes, faces)
-    look = face_index.ravel(), barycentric.reshape(-1, 3)
-    grad_values, grad_weights = np.zeros(values.shape), np.zeros(barycentric.shape)
-    mix_corners_backward(grad_output.reshape(-1, values.shape[1]), values, faces, look,
-                         grad_values, grad_weights.reshape(-1, 3))
-    return grad_values, grad_weights
+def look_at(face_index, rast, rast_db):
+    """What `mix_corners` looks at."""
+    rast_db = np.empty((0, 4), np.float32) if rast_db is None else rast_db.reshape(-1, 4)
+    return face_index.ravel(), rast.reshape(-1, 4), rast_db
+
+
+def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
+    """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
+    (P, 2 D).
+    """
+    values, faces = sound(values, faces)
+    look = look_at(face_index, rast, rast_db)
+    out, out_da = (np.zeros((face_index.size, count), np.float32)
+                   for count in (values.shape[1], 2 * len(chosen)))
+    on_all_cores(lambda *part: mix_corners(values, faces, look, chosen, part, out, out_da),
+                 len(out), len(out))
+    return out, out_da
+
+
+def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
+    may be None.
+    """
+    values, faces = sound(values, faces)
+    look = look_at(face_index, rast, rast_db)
+    grads = np.zeros(values.shape), np.zeros_like(look[1]), np.zeros_like(look[2])
+    if grad_out is not None:
+        mix_corners_backward(grad_out, values, faces, look, grads)
+    if grad_da is not None:
+        derivatives_backward(grad_da, values, faces, look, chosen, grads)
+    return grads
 
 
 def blended_pairs(face_index, depth, clip, faces, opposite):

@@ -104,7 +104,7 @@ def change_of(weights, step, sum_of_steps, s):
 
 @kernel
 def has_corners(faces, uv_faces, face, vertex_count):
-    """Is it one of the faces, and are its corners vertices?"""
+    """Is it a face, and are its corners vertices?"""
     if face >= min(len(faces), len(uv_faces)):
         return False
     a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
@@ -113,9 +113,7 @@ def has_corners(faces, uv_faces, face, vertex_count):
 
 @kernel
 def footprints_along(runs, picture, mesh, at, footprint):
-    """The footprints of some runs: at (2 N,), footprint (4 N,), on screen. False if a pixel sees a
-    face, or a face has a vertex, that is not there.
-    """
+    """Writes at (N, 2 or more), footprint (N, 4) of runs. False: a face or vertex is not there."""
     face_index, width = picture
     screen, faces, uv, uv_faces, _ = mesh
     starts, ends, numbers = runs
@@ -142,13 +140,12 @@ def footprints_of(pixels, corners, places, at, footprint):
         edges = edges_at(x + np.int32(i), y, *corners)
         s = total(edges)
         weights = Three(edges.a / s, edges.b / s, edges.c / s)
-        k = np.uintp(2) * (np.uintp(number) + i)
-        at[k], at[k + np.uintp(1)] = mixed(weights, u), mixed(weights, v)
+        k = np.uintp(number) + i
+        at[k, 0], at[k, 1] = mixed(weights, u), mixed(weights, v)
         by_x = change_of(weights, along_x, sum_x, s)
         by_y = change_of(weights, along_y, sum_y, s)
-        k = k + k
-        footprint[k], footprint[k + np.uintp(1)] = mixed(by_x, u), mixed(by_y, u)
-        footprint[k + np.uintp(2)], footprint[k + np.uintp(3)] = mixed(by_x, v), mixed(by_y, v)
+        footprint[k, 0], footprint[k, 1] = mixed(by_x, u), mixed(by_y, u)
+        footprint[k, 2], footprint[k, 3] = mixed(by_x, v), mixed(by_y, v)
 
 
 @kernel
@@ -194,10 +191,10 @@ def sums_along(weighted, whole, look, axis, grad_at, grad_footprint):
         s = whole.w + t * whole.x
         r = 0.0 if s == 0 else 1 / (s + np.copysign(look.epsilon, s))
         u = (weighted.w + t * weighted.x) * r
-        k = np.uintp(2) * (np.uintp(look.number) + i) + np.uintp(axis)
-        g_x = r * look.step_x * grad_footprint[k + k]
-        g_y = r * look.step_y * grad_footprint[k + k + np.uintp(1)]
-        p = r * (grad_at[k] - (whole.x * g_x + whole.y * g_y))
+        k, column = np.uintp(look.number) + i, np.uintp(2 * axis)
+        g_x = r * look.step_x * grad_footprint[k, column]
+        g_y = r * look.step_y * grad_footprint[k, column + np.uintp(1)]
+        p = r * (grad_at[k, axis] - (whole.x * g_x + whole.y * g_y))
         m = u * p + r * ((weighted.x - u * whole.x) * g_x + (weighted.y - u * whole.y) * g_y)
         p_x, p_y, p_e, p_t = p_x + g_x, p_y + g_y, p_e + p, p_t + t * p
         m_x, m_y, m_e, m_t = m_x + u * g_x, m_y + u * g_y, m_e + m, m_t + t * m
@@ -257,8 +254,7 @@ def look_backward(look, corners, places, grad_at, grad_footprint, records):
 
 @kernel
 def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
-    """The way back from some runs: records are what x, y, w of three corners get (R, 3, 3), and
-    what (u, v) of three (R, 3, 2).
+    """The way back from some runs: records, (R, 3, 3) of x, y, w of three corners, (R, 3, 2) of uv.
     """
     face_index, width = picture
     height = len(face_index) // max(width, 1)
@@ -316,8 +312,7 @@ def footprints(clip, face_index, faces, uv, uv_faces, bands):
     mesh = Wrapped(screen, faces, uv, uv_faces, 0.0)
 
     def band(runs):
-        return footprints_along(runs, flat(face_index), mesh, at.reshape(-1),
-                                footprint.reshape(-1))
+        return footprints_along(runs, flat(face_index), mesh, at, footprint.reshape(-1, 4))
 
     if not all(list(each_band(band, bands))):
         raise IndexError("face_index names faces that are not there, or faces name vertices that "
@@ -336,13 +331,17 @@ def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv
     """Backward of `footprints`: grad_at (N, 2), grad_footprint (N, 2, 2) -> grad_uv (T, 2),
     grad_clip (V, 4).
     """
-    picture = flat(face_index)
-    mesh = Wrapped(clip, faces, uv, uv_faces, 0.0)
-    grad_clip, grad_uv = np.zeros(clip.shape), np.zeros(uv.shape)
+    return gradients(grad_at, grad_footprint.reshape(-1, 4), flat(face_index),
+                     Wrapped(clip, faces, uv, uv_faces, 0.0), bands)
+
+
+def gradients(grad_at, grad_footprint, picture, mesh, bands):
+    """The way back to a Wrapped mesh: grad_at (N, 2 or more), grad_footprint (N, 4)."""
+    grad_clip, grad_uv = np.zeros(mesh.vertices.shape), np.zeros(mesh.uv.shape)
 
     def band(runs):
         records = np.empty((len(runs.start), 3, 3)), np.empty((len(runs.start), 3, 2))
-        run_gradients(runs, picture, mesh, grad_at.ravel(), grad_footprint.ravel(), records)
+        run_gradients(runs, picture, mesh, grad_at, grad_footprint, records)
         return runs, records
 
     for runs, records in each_band(band, bands):

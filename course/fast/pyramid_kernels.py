@@ -116,7 +116,7 @@ def make_pyramid(image, sampler, channels):
     height, width, _ = np.transpose([level.shape for level in levels])
     count = height * width * image.shape[2]
     start = np.append([0, 0], np.cumsum(count[1:]))[:len(levels)]
-    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum()), start, width, height)
+    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum(), image.dtype), start, width, height)
     for level in range(1, len(levels)):
         between_levels(halve_rows, pyramid, level, height[level], channels)
     return pyramid

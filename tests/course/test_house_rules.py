@@ -108,7 +108,7 @@ TWICE = {  # names that two modules of reference/ define; the list may only beco
     "RATES", "loss_and_gradients", "rasterize", "rasterize_backward",
     "render", "render_backward", "shade", "shade_backward"}
 AS_ON_ROWS = {"farthest_first", "first_column", "rasterize", "twice_area",  # kernels of scanline's
-              "interpolate", "interpolate_backward", "trials"}  # and lab 5's; what has_faster tries
+              "trials"}  # what has_faster tries
 
 
 def defined(text):

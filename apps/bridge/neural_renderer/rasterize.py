@@ -8,7 +8,7 @@ import torch
 from torch.nn.functional import avg_pool2d
 
 from apps.bridge import tensors
-from apps.bridge.tensors import array, require, tensor
+from apps.bridge.tensors import array, joined, require
 
 
 def rasterize_rgbad(faces, textures=None, image_size=256, anti_aliasing=True, near=0.1, far=100,
@@ -97,11 +97,11 @@ class Picture(torch.autograd.Function):
             cubes = array("textures[n]", textures, f"{len(corners)} {texels} {texels} {texels} 3")
             colour = np.dstack([tensors.labs.texture_cubes.shade_cubes(
                 maps, corners, cubes, np.ones((len(corners), 3)), background), colour])
-        colour = tensor(colour, faces, colour.shape)
+        colour = joined([colour], faces, colour.shape)
         ctx.save_for_backward(faces, textures, colour)
         ctx.maps, ctx.eps = maps, eps
         ctx.set_materialize_grads(False)
-        return colour, tensor(np.where(is_seen, maps.depth, far), faces, is_seen.shape)
+        return colour, joined([np.where(is_seen, maps.depth, far)], faces, is_seen.shape)
 
     @staticmethod
     @tensors.first_order
@@ -117,8 +117,8 @@ class Picture(torch.autograd.Function):
             face, samples = labs.texture_cubes.seen_samples(maps, corners, cubes.shape[1])
             grad_cubes, _ = labs.texture_cubes.sample_cubes_backward(
                 grad, cubes, face, *labs.texture_cubes.cube_taps(*samples))
-            grad_textures = tensor(grad_cubes, textures)
+            grad_textures = joined([grad_cubes], textures)
         if grad_colour is not None and ctx.needs_input_grad[0]:
             grad_corners += labs.sweep_gradient.sweep_backward(
                 grad_colour.numpy(), colour.numpy(), maps.face_index, corners, ctx.eps)
-        return tensor(grad_corners, faces), grad_textures, *5 * [None]
+        return joined([grad_corners], faces), grad_textures, *5 * [None]

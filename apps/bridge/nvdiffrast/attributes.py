@@ -1,13 +1,13 @@
 """What the corners of a face know, seen at each pixel: interpolate."""
-from typing import NamedTuple
+import sys
 
 import numpy as np
 import torch
 
 from apps.bridge import tensors
-from apps.bridge.tensors import INTEGERS, array, require, tensor
+from apps.bridge.tensors import INTEGERS, array, joined, require
 
-from .pixels import faces_of
+from .pixels import seen_in
 
 
 def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
@@ -35,92 +35,85 @@ def chosen_of(diff_attrs, count):
     return chosen.astype(int) % count
 
 
-class Look(NamedTuple):
-    """Pictures (H, W) of one array of attributes: which face a pixel sees, and how it mixes the
-    corners' attributes: weights (H, W, 3) of the values and, for derivatives, those of x and y.
-    """
-
-    face_index: np.ndarray
-    weights: list[np.ndarray]
-
-
-def looks(attr, rast, tri, rast_db):
-    """A Look for each array of attributes. If there is only one, all pictures are one, one above
-    the other.
-    """
-    faces = array("tri", tri, "f 3", INTEGERS)
-    count, width = 1 if attr.ndim == 2 else len(attr), rast.shape[2]
-    require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
-            f"pictures, as rast has; it has those of {count}")
-    pixels = array("rast", rast, "n h w 4").reshape(count, -1, width, 4)
-    changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
-        count, -1, width, 2, 2)
-    for k, pixel in enumerate(pixels):
-        face_index = faces_of(pixel, len(faces))
-        weights = [corner_weights(pixel[..., :2], 1)]
-        if len(changes):
-            weights += [corner_weights(changes[k, ..., axis], 0) for axis in (0, 1)]
-        yield Look(face_index, weights)
-
-
-def corner_weights(uv, total):
-    """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
-    weights = np.empty((*uv.shape[:2], 3))
-    weights[..., :2] = uv
-    weights[..., 2] = total - weights[..., 0] - weights[..., 1]
-    return weights
-
-
 class Interpolate(torch.autograd.Function):
-    """Lab 5: `interpolate` with each of a Look's weights, and `interpolate_backward`."""
+    """Lab 5. If there is one array of attributes, all pictures are one, one above the other."""
 
     @staticmethod
     def forward(ctx, attr, rast, tri, rast_db, chosen):
         values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
         values = values.reshape(-1, *values.shape[-2:])
-        ctx.looks = list(looks(attr, rast, tri, rast_db))
-        faces = array("tri", tri, "f 3", INTEGERS)
-        ctx.lab5 = tensors.kernels(attr) or tensors.labs.interpolation
-        mix = ctx.lab5.interpolate
-        out = [mix(value, faces, look.face_index, look.weights[0])
-               for look, value in zip(ctx.looks, values, strict=True)]
-        out_da = [np.stack([mix(value[:, chosen], faces, look.face_index, weights)
-                            for weights in look.weights[1:]], -1)
-                  for look, value in zip(ctx.looks, values, strict=True) if len(chosen)]
-        ctx.save_for_backward(attr, rast, tri)
-        ctx.values, ctx.chosen = values, chosen
+        faces, count = array("tri", tri, "f 3", INTEGERS), len(values)
+        require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
+                f"pictures, as rast has; it has those of {count}")
+        kernels = tensors.kernels(attr, rast, rast_db)
+        ctx.way, ctx.given = kernels or sys.modules[__name__], []
+        pictures = array("rast", rast, "n h w 4").reshape(count, -1, rast.shape[2], 4)
+        changes = count * [None] if rast_db is None else array(
+            "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
+        for value, pixels, change in zip(values, pictures, changes, strict=True):
+            face_index, _ = seen_in(pixels, len(faces), kernels)
+            ctx.given.append((value, faces, face_index, pixels, change, chosen))
+        out, out_da = zip(*(ctx.way.mix_attributes(*given) for given in ctx.given), strict=True)
+        ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)
-        size = rast.shape[:3]
-        return (tensor(np.stack(out), attr, (*size, attr.shape[-1])),
-                tensor(np.stack(out_da), attr, (*size, 2 * len(chosen))) if out_da
-                else attr.new_empty(*size, 0))
+        return (joined(out, attr, (*rast.shape[:3], attr.shape[-1])),
+                joined(out_da, attr, (*rast.shape[:3], 2 * len(chosen))))
 
     @staticmethod
     @tensors.first_order
-    def backward(ctx, grad_out, grad_out_da):
-        attr, rast, tri = ctx.saved_tensors
-        faces = array("tri", tri, "f 3", INTEGERS)
-        grad_values = np.zeros(ctx.values.shape)
-        kinds = 1 if grad_out_da is None else 3
-        grad_weights = np.zeros((kinds, *np.shape([look.face_index for look in ctx.looks]), 3))
-        for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
-            for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
-                by_corner, grad_weights[n, k] = ctx.lab5.interpolate_backward(
-                    grads[k].reshape(*look.face_index.shape, -1), value[:, columns], faces,
-                    look.face_index, look.weights[n])
-                np.add.at(grad_values[k], (slice(None), columns), by_corner)
-        grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
-        grad_rast = torch.zeros_like(rast)
-        grad_rast[..., :2] = tensor(grad_uv[0], rast, (*rast.shape[:3], 2))
-        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if kinds == 3 else None
-        return tensor(grad_values, attr), grad_rast, None, grad_rast_db, None
+    def backward(ctx, *grads):
+        attr, rast, _, rast_db = ctx.saved_tensors
+        rows = (len(ctx.given) * [None] if grad is None or not grad.shape[-1] else
+                grad.numpy().reshape(len(ctx.given), -1, grad.shape[-1]) for grad in grads)
+        found = [ctx.way.mix_attributes_backward(grad_out, grad_da, *given)
+                 for grad_out, grad_da, given in zip(*rows, ctx.given, strict=True)]
+        by_attr, by_rast, by_db = zip(*found, strict=True)
+        has_db = rast_db is not None and grads[1] is not None
+        return (joined(by_attr, attr), joined(by_rast, rast), None,
+                joined(by_db, rast_db) if has_db else None, None)
 
 
-def upstream(grad_out, grad_out_da, chosen, count):
-    """What comes back: which matrix, the attributes' columns, the gradients (count, P, columns)."""
-    if grad_out is not None:
-        channels = grad_out.shape[-1]
-        yield 0, np.arange(channels), grad_out.numpy().reshape(count, -1, channels)
-    if grad_out_da is not None and len(chosen):
-        by_axis = np.moveaxis(grad_out_da.numpy().reshape(count, -1, len(chosen), 2), -1, 0)
-        yield from ((1 + axis, chosen, grads) for axis, grads in enumerate(by_axis))
+def corner_weights(uv, total):
+    """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
+    uv = uv.astype(float)
+    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+
+
+def kinds(values, rast, rast_db, chosen):
+    """The corners' attributes (V, A or D) to mix, and their weights (H, W, 3): of the attributes,
+    and of the derivatives of those chosen along x and along y.
+    """
+    yield values, corner_weights(rast[..., :2], 1)
+    if len(chosen):
+        for axis in (0, 1):
+            yield values[:, chosen], corner_weights(rast_db[..., axis::2], 0)
+
+
+def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
+    """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
+    (P, 2 D). face_index (H, W); rast and rast_db (H, W, 4).
+    """
+    out, *by_axis = (tensors.labs.interpolation.interpolate(each, faces, face_index, weights)
+                     for each, weights in kinds(values, rast, rast_db, chosen))
+    by_axis = np.stack(by_axis, -1) if by_axis else np.empty((*face_index.shape, 0))
+    return out.reshape(face_index.size, -1), by_axis.reshape(face_index.size, 2 * len(chosen))
+
+
+def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
+    may be None.
+    """
+    grad_values = np.zeros(values.shape)
+    grad_rast, grad_db = np.zeros((2, *face_index.shape, 4))
+    columns = np.arange(values.shape[1]), chosen, chosen
+    by_axis = 2 * [None] if grad_da is None else (grad_da[:, 0::2], grad_da[:, 1::2])
+    into = grad_rast[..., :2], grad_db[..., 0::2], grad_db[..., 1::2]
+    for (each, weights), at, grad, grad_uv in zip(
+            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into,
+            strict=False):
+        if grad is not None:
+            by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
+                grad.reshape(*face_index.shape, -1), each, faces, face_index, weights)
+            np.add.at(grad_values, (slice(None), at), by_corner)
+            grad_uv[...] = by_weight[..., :2] - by_weight[..., 2:]  # as weight 2 is total - u - v
+    return grad_values, grad_rast, grad_db

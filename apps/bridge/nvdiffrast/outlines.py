@@ -6,9 +6,9 @@ import numpy as np
 import torch
 
 from apps.bridge import tensors
-from apps.bridge.tensors import INTEGERS, array, require, tensor
+from apps.bridge.tensors import INTEGERS, array, joined, require
 
-from .pixels import faces_of
+from .pixels import seen_in
 
 EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
 
@@ -54,10 +54,10 @@ class Antialias(torch.autograd.Function):
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = np.empty_like(colours), []
-        ctx.lab8 = tensors.kernels(color, rast, pos) or tensors.labs.outlines
+        kernels = tensors.kernels(color, rast, pos)
+        ctx.lab8 = kernels or tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
-            face_index = faces_of(seen[n], len(faces))
-            depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
+            face_index, depth = seen_in(seen[n], len(faces), kernels)
             ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
             out[n] = ctx.lab8.blend_pairs(colours[n], ctx.pairs[n])
         ctx.save_for_backward(color, pos)
@@ -72,8 +72,9 @@ class Antialias(torch.autograd.Function):
         grads = (ctx.lab8.blend_pairs_backward(*each, EPSILON)
                  for each in zip(*given, strict=True))
         grad_color, grad_clip = zip(*grads, strict=True)
-        grad_pos = ctx.boost * (np.stack(grad_clip) if pos.ndim == 3 else sum(grad_clip))
-        return tensor(np.stack(grad_color), color), None, tensor(grad_pos, pos), None, None, None
+        grad_clip = grad_clip if pos.ndim == 3 else [sum(grad_clip)]
+        grad_clip = [ctx.boost * each for each in grad_clip]
+        return joined(grad_color, color), None, joined(grad_clip, pos), None, None, None
 
 
 def vertices(pos, count):

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 from apps.bridge import tensors
-from apps.bridge.tensors import INTEGERS, array, require, tensor
+from apps.bridge.tensors import INTEGERS, array, joined, require
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
@@ -103,50 +103,40 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
-        ctx.seen, look = [], (tensors.kernels(pos) or sys.modules[__name__]).seen_weights
+        ctx.seen, ctx.way = [], tensors.kernels(pos) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
-            face_index, depth, weights, derivatives = look(
-                clip, faces, screen.width, screen.height, depths.get(n) if depths else None)
-            is_seen = face_index >= 0
-            rast[n, ..., :2] = weights[..., :2]
-            np.copyto(rast[n, ..., 2], depth, "same_kind", where=is_seen)
-            rast[n, ..., 3] = coded(np.where(is_seen, face_index + (first + 1), 0), rast.dtype)
-            rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
+            face_index, depth = ctx.way.draw_pixels(
+                clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
+            if first + len(faces) > EXACT:
+                rast[n, ..., 3] = coded(np.where(face_index < 0, 0, face_index + (first + 1)),
+                                        rast.dtype)
             ctx.seen.append(face_index)
             if depths is not None:
                 depths[n] = depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
         ctx.save_for_backward(pos, tri, rast)
-        ctx.ranges, ctx.grad_db = ranges, grad_db
+        ctx.batch, ctx.grad_db = batch, grad_db
         ctx.set_materialize_grads(False)
         return rast, rast_db
 
     @staticmethod
     @tensors.first_order
     def backward(ctx, grad_rast, grad_rast_db):
-        pos, tri, _ = ctx.saved_tensors
-        grad_rast_db = grad_rast_db if ctx.grad_db else None
-        grads, kernels = [], tensors.kernels(pos)
-        corners = 2 if kernels else 3
-        for n, (clip, faces, _) in enumerate(pictures(pos, tri, ctx.ranges)):
-            face_index = ctx.seen[n]
-            grad_b = np.zeros((*face_index.shape, corners))
-            if grad_rast is not None:
-                grad_b[..., :2] = grad_rast[n, ..., :2]
-            grad_derivatives = np.zeros((*face_index.shape, 2, 2)) if kernels else None
-            if grad_rast_db is not None:
-                grad_derivatives = np.zeros((*face_index.shape, corners, 2))
-                grad_derivatives[..., :2, :] = grad_rast_db[n].reshape(*face_index.shape, 2, 2)
-            grads.append((kernels or tensors.labs.rasterizer_gradients).rasterize_backward(
-                grad_b, grad_derivatives, None, face_index, clip, faces, EPSILON))
-        grad_pos = np.stack(grads) if pos.ndim == 3 else sum(grads)
-        return tensor(grad_pos, pos), None, None, None, None, None
+        pos, *_ = ctx.saved_tensors
+        grads_db = grad_rast_db if ctx.grad_db else None
+        grads = [ctx.way.draw_pixels_backward(*(None if grad is None else grad[n].numpy()
+                                         for grad in (grad_rast, grads_db)),
+                                       ctx.seen[n], clip, faces, EPSILON)
+                 for n, (clip, faces, _) in enumerate(ctx.batch)]
+        grad_pos = joined(grads if pos.ndim == 3 else [sum(grads)], pos)
+        return grad_pos, None, None, None, None, None
 
 
-def seen_weights(clip, faces, width, height, beyond):
-    """face_index, depth (H, W) of what is seen, or is seen beyond a depth (H, W); the weights
-    (H, W, 3), and their derivatives (H, W, 3, 2).
+def draw_pixels(clip, faces, first, beyond, rast, rast_db):
+    """Writes to rast and rast_db (H, W, 4), 0 before -> face_index, depth (H, W). Faces are
+    numbered from first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
+    height, width, _ = rast.shape
     lab5 = tensors.labs.interpolation
     if beyond is None:
         clip, face_index, depth, weights, *_ = tensors.labs.pipeline.visible(clip, faces, width,
@@ -154,7 +144,24 @@ def seen_weights(clip, faces, width, height, beyond):
     else:
         face_index, depth = tensors.labs.scanline.rasterize(clip, faces, width, height, beyond)
         weights = lab5.barycentrics(face_index, clip, faces)
-    return face_index, depth, weights, lab5.barycentrics_derivatives(face_index, clip, faces)
+    seen = face_index >= 0
+    rast[..., :2] = weights[..., :2]
+    rast[seen, 2], rast[seen, 3] = depth[seen], face_index[seen] + (first + 1)
+    derivatives = lab5.barycentrics_derivatives(face_index, clip, faces)
+    rast_db[...] = derivatives[..., :2, :].reshape(rast_db.shape)
+    return face_index, depth
+
+
+def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+    """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
+    grad_weights, grad_derivatives = np.zeros((*face_index.shape, 3)), None
+    if grad_rast is not None:
+        grad_weights[..., :2] = grad_rast[..., :2]
+    if grad_rast_db is not None:
+        grad_derivatives = np.zeros((*face_index.shape, 3, 2))
+        grad_derivatives[..., :2, :] = grad_rast_db.reshape(*face_index.shape, 2, 2)
+    return tensors.labs.rasterizer_gradients.rasterize_backward(
+        grad_weights, grad_derivatives, None, face_index, clip, faces, epsilon)
 
 
 def coded(numbers, dtype):
@@ -165,12 +172,24 @@ def coded(numbers, dtype):
     return floats
 
 
-def faces_of(rast, count):
-    """The face, of so many, that each pixel of an array rast (..., 4) sees, -1 for none."""
+def faces_of(rast):
+    """The face that each pixel of an array rast (..., 4) sees, -1 for none."""
     numbers = np.ascontiguousarray(rast[..., 3])
     if rast.dtype == np.float32 and not numbers.max() <= EXACT:
         numbers = np.where(numbers <= EXACT, numbers, numbers.view(np.int32) - float(CODE))
     face_index = numbers.astype(np.int32) - np.int32(1)
+    return face_index
+
+
+def seen_in(rast, count, kernels):
+    """The face, of so many, that each pixel of an array rast (H, W, 4) sees, -1 for none, and its
+    depth, inf for none: (H, W) each.
+    """
+    if kernels and count <= EXACT:
+        face_index, depth = kernels.unpacked(rast)
+    else:
+        face_index = faces_of(rast)
+        depth = np.where(face_index < 0, np.inf, rast[..., 2])
     require(face_index.max() < count, f"rast sees face {face_index.max(initial=-1)}, and tri has "
             f"{count}: give the faces that rast was made of")
-    return face_index
+    return face_index, depth

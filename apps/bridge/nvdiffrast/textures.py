@@ -7,7 +7,7 @@ from scipy.sparse import sparray
 from torch.utils.weak import WeakTensorKeyDictionary
 
 from apps.bridge import tensors
-from apps.bridge.tensors import array, require, tensor
+from apps.bridge.tensors import array, joined, require
 from course.given import arrays
 
 KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
@@ -28,30 +28,39 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels from 1 on, or a `texture_construct_mip`.
     """
     mode = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
-    boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
-    require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
-            f"not {boundary_mode!r}")
+    require_boundary(boundary_mode)
     is_cube = boundary_mode == "cube"
     if "mipmap" not in mode:
         uv_da = mip_level_bias = None
         mip = MipStack([])
-    elif mip is None:
-        mip = texture_construct_mip(tex, max_mip_level, is_cube)
-    require(isinstance(mip, MipStack | list), "mip must be a list of tensors or come from "
-            "texture_construct_mip()")
-    made, stack = (mip.levels, []) if isinstance(mip, MipStack) else (None, mip)
-    texels = [pictures_of(level, is_cube) for level in (tex, *stack)] + (made or [])
-    require_halves([level.shape for level in texels], is_cube)
+    require(mip is None or isinstance(mip, MipStack | list), "mip must be a list of tensors or "
+            "come from texture_construct_mip()")
+    stack, pixels = (mip if isinstance(mip, list) else []), (uv, uv_da, mip_level_bias)
+    how = how_to_read(mode, boundary_mode, not isinstance(mip, list), (tex, *pixels))
+    texels = [pictures_of(level, is_cube) for level in (tex, *stack)]
+    if mip is None:  # kernels make levels of their own
+        texels += levels_of(texels[0][..., :0] if how.is_compiled else texels[0], max_mip_level,
+                            is_cube)
+    else:
+        texels += mip.levels if how.is_made else []
+        require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
-    pixels = uv, uv_da, mip_level_bias
-    how = how_to_read(mode, boundary_mode, made is not None, (tex, *pixels))
     return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
                          *stack)
 
 
+def require_boundary(boundary_mode):
+    """RuntimeError if there is no such boundary."""
+    boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
+    require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
+            f"not {boundary_mode!r}")
+
+
 def how_to_read(mode, boundary, is_made, given):
-    """How textures are read, of these tensors."""
-    is_compiled = is_made and boundary != "cube" and tensors.kernels(*given) is not None
+    """How textures are read, of these tensors. On cube maps, NumPy goes back to directions."""
+    is_known = boundary != "cube" or not any(each is not None and each.requires_grad
+                                             for each in given[1:])
+    is_compiled = is_made and is_known and tensors.kernels(*given) is not None
     return How(tensors.labs.texturing.Sampler(mode, boundary, None), is_made, is_compiled)
 
 
@@ -68,18 +77,22 @@ def filter_of(mode, has_level, max_level):
 
 def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     """The levels of a texture that stays as it is, for mip of `texture`."""
+    return MipStack(levels_of(pictures_of(tex, cube_mode), max_mip_level, cube_mode))
+
+
+def levels_of(pictures, max_mip_level, is_cube):
+    """The levels from 1 on of pictures as of `pictures_of`."""
     require(max_mip_level is None or max_mip_level >= 0, f"max_mip_level must be 0 or more, not "
             f"{max_mip_level}")
     labs = tensors.labs
-    pyramids = [labs.cube_maps.cube_pyramid(picture, "mipmap", max_mip_level) if cube_mode
-                else labs.mipmapping.pyramid(picture, max_mip_level)
-                for picture in pictures_of(tex, cube_mode)]
+    pyramids = [labs.cube_maps.cube_pyramid(picture, "mipmap", max_mip_level) if is_cube
+                else labs.mipmapping.pyramid(picture, max_mip_level) for picture in pictures]
     top, (height, width) = len(pyramids[0]) - 1, pyramids[0][-1].shape[:2]
-    height = width if cube_mode else height
+    height = width if is_cube else height
     require(max(height, width) == 1 or top == max_mip_level, f"this texture has no mip level "
             f"{top + 1}, as {height} x {width} cannot be halved: give it sides that are powers of "
             "two, or max_mip_level")
-    return MipStack([np.stack(level) for level in list(zip(*pyramids, strict=True))[1:]])
+    return [np.stack(level) for level in list(zip(*pyramids, strict=True))[1:]]
 
 
 def pictures_of(tex, is_cube):
@@ -100,9 +113,7 @@ def require_halves(shapes, is_cube):
 
 
 class How(NamedTuple):
-    """How textures are read. is_made: whether the levels were made of the texture here; of a plane
-    with such levels compiled code may read.
-    """
+    """How textures are read. is_made: whether the levels were made of the texture here."""
 
     sampler: tuple
     is_made: bool
@@ -111,7 +122,7 @@ class How(NamedTuple):
 
 class Places(NamedTuple):
     """Where pixels look at one texture. Lab 6's M takes its texels to those that see any. Without
-    it, texel_kernels.py looks up.
+    it, texel_kernels.py or cube_kernels.py looks up.
     """
 
     footprint: tuple
@@ -132,13 +143,15 @@ def kept_places(pixels, levels, how):
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
     array("uv", pixels[0], f"n h w {3 if how.sampler.boundary == 'cube' else 2}")
+    looks = footprints(*pixels, len(levels), how)
+    if how.is_compiled:
+        return [Places(look, None, None) for look in looks]
     key = (how, len(levels), [level.shape for level in levels[0]],
            [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
     kept_key, before, found = KEPT.get(pixels[0], (None, None, None))
     if kept_key != key or not all(map(torch.equal, before, now)):
-        found = [places(*each, how) for each in
-                 zip(levels, footprints(*pixels, len(levels), how.sampler.boundary), strict=True)]
+        found = [places(*each, how) for each in zip(levels, looks, strict=True)]
         KEPT[pixels[0]] = key, [part.clone() for part in now], found
     return found
 
@@ -146,8 +159,6 @@ def kept_places(pixels, levels, how):
 def places(levels, footprint, how):
     """The Places of a Footprint in a texture of these levels."""
     labs, sampler = tensors.labs, how.sampler
-    if how.is_compiled:
-        return Places(footprint, None, None)
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
@@ -167,7 +178,7 @@ class Texture(torch.autograd.Function):
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
         colours = [looked_up(*each, reading.how.sampler)
                    for each in zip(reading.levels, reading.places, strict=True)]
-        found = tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
+        found = joined(colours, tex, (*uv.shape[:3], tex.shape[-1]))
         if reading.how.sampler.boundary in ("wrap", "zero"):
             found[~uv.isfinite().all(-1)] = torch.nan
         return found
@@ -187,12 +198,20 @@ class Texture(torch.autograd.Function):
         return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, *grad_stack
 
 
+def kernels_for(sampler):
+    """The compiled look-up, there and back."""
+    if sampler.boundary == "cube":
+        kernels = tensors.labs.cube_kernels
+        return kernels.cube_colours, kernels.cube_colours_backward
+    return tensors.labs.texel_kernels.texture, tensors.labs.texel_kernels.texture_backward
+
+
 def looked_up(levels, place, sampler):
     """The colours (P, C) of pixels."""
     labs = tensors.labs
     if place.matrix is None:
-        return labs.texel_kernels.texture(levels[0], *place.footprint, sampler.filter_mode,
-                                          sampler.boundary, len(levels) - 1)
+        return kernels_for(sampler)[0](levels[0], *place.footprint, *sampler[:2],
+                                       len(levels) - 1)
     found = place.matrix @ labs.mipmapping.pack(levels).texels
     return arrays.masked_scatter(found, place.seen)
 
@@ -200,9 +219,8 @@ def looked_up(levels, place, sampler):
 def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
     if place.matrix is None:
-        image, *pixels = tensors.labs.texel_kernels.texture_backward(
-            grad, levels[0], *place.footprint, sampler.filter_mode, sampler.boundary,
-            len(levels) - 1)
+        image, *pixels = kernels_for(sampler)[1](
+            grad, levels[0], *place.footprint, *sampler[:2], len(levels) - 1)
         return (image,), *pixels
     given = grad, levels, place.footprint
     if sampler.boundary == "cube":
@@ -222,32 +240,39 @@ def stacked(grads, like):
     """Gradients of single pictures as one tensor, for what was given as a tensor."""
     if like is None or grads[0] is None:
         return None
-    return tensor(np.stack(grads), like)
+    return joined(grads, like)
 
 
-def footprints(uv, uv_da, bias, count, boundary):
-    """Lab 6's Footprint of the pixels that see each of count textures.
-
-    A direction on a cube map that is not finite counts as 0, which sees nothing. Else, what is no
-    number counts as 0, and infinity as far.
+def footprints(uv, uv_da, bias, count, how):
+    """What the pixels that see each of count textures look at: lab 6's Footprint, or for compiled
+    cube maps its parts as they are.
     """
-    axes = 3 if boundary == "cube" else 2
+    is_cube = how.sampler.boundary == "cube"
+    axes = 3 if is_cube else 2
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
             f"pictures; it has {count}")
     n, height, width = uv.shape[:3]
     size = f"{n} {height} {width}"
     at = array("uv", uv, f"{size} {axes}").reshape(count, -1, axes)
-    change = uv_da if uv_da is None else np.nan_to_num(
-        array("uv_da", uv_da, f"{size} {2 * axes}")).reshape(count, -1, axes, 2)
-    bias = bias if bias is None else np.nan_to_num(
-        array("mip_level_bias", bias, size)).reshape(count, -1)
+    change = count * [None] if uv_da is None else array(
+        "uv_da", uv_da, f"{size} {2 * axes}").reshape(count, -1, axes, 2)
+    bias = count * [None] if bias is None else array("mip_level_bias", bias, size).reshape(
+        count, -1)
+    for each in zip(at, change, bias, strict=True):
+        yield each if is_cube and how.is_compiled else cleaned(*each)
+
+
+def cleaned(at, change, bias):
+    """A Footprint. A direction on a cube map that is not finite counts as 0, which sees nothing.
+    Else, what is no number counts as 0, and infinity as far.
+    """
+    labs, axes = tensors.labs.texturing, at.shape[-1]
+    change = change if change is None else np.nan_to_num(change)
     if axes == 2:
         at = np.nan_to_num(at, posinf=1, neginf=0)
     elif not np.isfinite(at).all():
         sound = np.isfinite(at).all(-1)
         at = np.where(sound[..., None], at, 0)
         change = change if change is None else np.where(sound[..., None, None], change, 0)
-    labs = tensors.labs.texturing
-    for k in range(count):
-        yield labs.require_footprint(labs.Footprint(
-            at[k], None if change is None else change[k], 0.0 if bias is None else bias[k]), axes)
+    return labs.require_footprint(
+        labs.Footprint(at, change, 0.0 if bias is None else np.nan_to_num(bias)), axes)
