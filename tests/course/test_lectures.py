@@ -14,7 +14,7 @@ from labkit.upkeep import errata, hours, notebooks, pictures
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
-MOST_MINUTES = 45
+MOST_MINUTES = 40
 FOLDED = "# figure:", "# opening:"                 # how cells begin that only draw
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 WORDING = {                                        # what was translated, and what to write
