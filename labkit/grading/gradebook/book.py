@@ -75,12 +75,16 @@ class Gradebook:
         return in_time[-1:] if in_time and count == "last-on-time" else [one]
 
     def moodle_says(self, one):
-        """When it was handed in, as Moodle's worksheet has it, or an empty text."""
-        if (one.student not in self.rows or self.roster.platform != "moodle" or one.late is False
+        """When it was handed in, as Moodle's worksheet has it for the student, or else for another
+        one of the group, who handed in for it. "": it tells nothing.
+        """
+        if (not self.rows or self.roster.platform != "moodle" or one.late is False
                 or one.identity.platform not in ("moodle", "people")):
             return ""
-        return rosters.cell(self.roster, self.rows[one.student],
-                            "Last modified (submission)").strip("-")
+        group = (each.student for each in self.handed_in.values() if one.group == each.group != "")
+        told = (rosters.cell(self.roster, self.rows[student], "Last modified (submission)")
+                for student in (one.student, *group) if student in self.rows)
+        return next(filter(None, (text.strip("-") for text in told)), "")
 
     # --- what an instructor is told, before and after
 
