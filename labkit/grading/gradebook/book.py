@@ -58,11 +58,13 @@ class Gradebook:
         if not (kept and kept.texts):
             return one
         late = lateness.is_late(self.policy_for(kept), kept.handed_in, kept.late)
+        is_told = (kept.handed_in, kept.late) != (None, None)
         kept = kept._replace(late=late)  # which says that its time is known, also of Moodle
         if kept.texts != one.texts:
             return one._replace(others=(kept, *one.others))
-        return one if late or not self.is_late(one) else one._replace(
-            handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
+        if late or not is_told or not self.is_late(one):
+            return one
+        return one._replace(handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
 
     def counting(self, one, kept, count) -> list:
         """The Submissions of a student, of which the best counts. kept: as for `with_earlier`,
