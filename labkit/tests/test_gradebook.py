@@ -208,6 +208,22 @@ def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
     assert [row[5] for row in table] == ["Grade", "10", "9", "8", ""]
 
 
+def test_a_group_s_time_on_moodle_is_that_of_who_handed_in_for_it():
+    """Only who handed in for the group pays for its being late."""
+    class_ = [submission(name, "people", name=name)._replace(group="blue")
+              for name in ("7002", "7004")]
+    known = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
+    assert [worth.after_lateness(known.entered(record(one, RIGHT))) for one in class_] == [9, 9]
+
+
+def test_a_time_that_was_not_told_is_no_earlier_one():
+    """Who was graded first without Moodle's worksheet is never late."""
+    one = submission("k", "moodle", id="7002")._replace(texts={"transforms": "x"})
+    known = book([one], csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
+    (counts,) = known.counting(one, one, "newest")
+    assert worth.after_lateness(known.entered(record(counts, RIGHT))) == 9
+
+
 def test_canvas_says_late_and_not_by_how_much(tmp_path):
     """A guess takes points off. Or a late submission looks like all others."""
     class_ = [submission("a", "canvas", id="50101", late=True),

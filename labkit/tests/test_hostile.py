@@ -26,7 +26,7 @@ OTHER_POINTS = {
     2: {"asks_beside_the_point"},
     4: {"not_started", "asks_for_its_own_answer", "sets_attributes", "asks_much",
         "memory_between_questions"},
-    5: {"left_files"},
+    5: {"left_files", "marks_its_folder"},
     7: {"honest", "matplotlib", "output_flood", "thread", "daemon", "kills_by_number",
         "exits_hard_at_exit", "ends_well",  # all answers are right; how it ends does not matter
         "kills_its_parent"},   # the first process of a sandbox can't be killed from inside

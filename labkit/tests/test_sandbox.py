@@ -124,6 +124,14 @@ def test_a_python_behind_a_link_is_shown_where_it_is(tmp_path, monkeypatch):
     assert {tmp_path / "3.11/lib", tmp_path / "3.11.7/lib"} <= {*shown}
 
 
+def test_bubblewrap_is_taken_from_where_it_was_found(tmp_path, monkeypatch):
+    """It is on the PATH, but not in /usr/bin: a worker's environment has no PATH."""
+    bwrap = tmp_path / "bwrap"
+    bwrap.touch(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert levels.strict(str(tmp_path), sandbox.Limits())[0][0] == str(bwrap)
+
+
 @pytest.mark.parametrize(("used", "spent"), [
     ([Use(0, 1.0, False), Use(0, 1.5, False)], 0.5),   # it waited for a busy machine
     ([Use(0, 1.0, False), Use(0, 9.0, False)], 8.0),   # it works in many processes

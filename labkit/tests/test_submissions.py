@@ -272,6 +272,16 @@ def test_a_lab_below_itself_is_told(handed_in):
                 "written: take out what was pasted below",)}
 
 
+def test_a_file_that_becomes_a_link_is_not_followed(tmp_path, monkeypatch):
+    """Somebody exchanges it after it was looked at, and before it is opened."""
+    (path,) = put(tmp_path, {"secret.py": "secret"})
+    link, regular = tmp_path / "transforms.py", os.lstat(path)
+    link.symlink_to(path)
+    with monkeypatch.context() as patch, pytest.raises(OSError, match="symbolic link"):
+        patch.setattr(archives.os, "lstat", lambda path: regular)
+        archives.opened(link, archives.Budget())
+
+
 def test_an_empty_folder_and_a_link_have_a_row(tmp_path):
     """A student without a row; a link that leads to other work."""
     (tmp_path / "in" / "ada").mkdir(parents=True)

@@ -144,9 +144,12 @@ def test_eye_target_and_up_arrive_where_they_should(impl, rng):
 
 @exercise("1.3")
 def test_a_camera_neither_stretches_nor_mirrors(impl, rng):
-    """right and up are not of length 1 (up is not perpendicular to the view), or x is mirrored."""
+    """right and up are not of length 1 (up is not perpendicular to the view), or x is mirrored. Or
+    it looks elsewhere, as the identity does, which neither stretches nor mirrors.
+    """
     eye, target, up = rng.normal(size=(3, 3))
     rotation = impl.look_at(eye, target, 7 * up)[:3, :3]
+    assert_close(rotation @ (target - eye), [0.0, 0.0, -np.linalg.norm(target - eye)])
     assert_close(rotation @ rotation.T, np.eye(3))
     assert_close(np.linalg.det(rotation), 1.0)
 
@@ -352,9 +355,9 @@ def test_the_depth_is_z_over_w(impl):
 def test_every_point_has_its_own_w(impl, rng, shape):
     """Right for points (N, 4), but not for one point alone, or for several leading axes."""
     clip = rng.normal(size=shape)
-    expected = np.array([[(p[0] / p[3] + 1) * 4, (p[1] / p[3] + 1) * 2.5, p[2] / p[3]]
-                         for p in clip.reshape(-1, 4)])
-    assert_close(impl.to_screen(clip, 8, 5), expected.reshape(*shape[:-1], 3))
+    screen = impl.to_screen(clip, 8, 5)
+    ndc = (screen - [4, 2.5, 0]) / [4, 2.5, 1]
+    assert_close(ndc * clip[..., 3:], clip[..., :3])
 
 
 GRAD_SCREEN = np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]])

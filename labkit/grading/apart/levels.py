@@ -9,6 +9,7 @@ Both are limited by what the system has besides: seccomp and Landlock on Linux, 
 import functools
 import os
 import secrets
+import shutil
 import sys
 from pathlib import Path
 
@@ -87,7 +88,8 @@ def strict(folder, limits) -> tuple[list, dict]:
               for option in ("--ro-bind", folder, str(path))]  # it is empty
     empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev", "--size", str(1 << 24),
              "--perms", "1777", "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", "/tmp"]
-    return ["bwrap", *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
+    bwrap = shutil.which("bwrap") or "bwrap"
+    return [bwrap, *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
             *python("/worker/worker.py", "/packages")], settings(
         limits, processes=limits.processes, uid=user, doors=[], readable=["/"],
         writable=["/tmp", "/dev/null"])

@@ -58,11 +58,13 @@ class Gradebook:
         if not (kept and kept.texts):
             return one
         late = lateness.is_late(self.policy_for(kept), kept.handed_in, kept.late)
+        is_told = (kept.handed_in, kept.late) != (None, None)
         kept = kept._replace(late=late)  # which says that its time is known, also of Moodle
         if kept.texts != one.texts:
             return one._replace(others=(kept, *one.others))
-        return one if late or not self.is_late(one) else one._replace(
-            handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
+        if late or not is_told or not self.is_late(one):
+            return one
+        return one._replace(handed_in=kept.handed_in, late=False, notes=(*one.notes, AGAIN))
 
     def counting(self, one, kept, count) -> list:
         """The Submissions of a student, of which the best counts. kept: as for `with_earlier`,
@@ -75,12 +77,16 @@ class Gradebook:
         return in_time[-1:] if in_time and count == "last-on-time" else [one]
 
     def moodle_says(self, one):
-        """When it was handed in, as Moodle's worksheet has it, or an empty text."""
-        if (one.student not in self.rows or self.roster.platform != "moodle" or one.late is False
+        """When it was handed in, as Moodle's worksheet has it for the student, or else for another
+        one of the group, who handed in for it. "": it tells nothing.
+        """
+        if (not self.rows or self.roster.platform != "moodle" or one.late is False
                 or one.identity.platform not in ("moodle", "people")):
             return ""
-        return rosters.cell(self.roster, self.rows[one.student],
-                            "Last modified (submission)").strip("-")
+        group = (each.student for each in self.handed_in.values() if one.group == each.group != "")
+        told = (rosters.cell(self.roster, self.rows[student], "Last modified (submission)")
+                for student in (one.student, *group) if student in self.rows)
+        return next(filter(None, (text.strip("-") for text in told)), "")
 
     # --- what an instructor is told, before and after
 

@@ -21,6 +21,7 @@ BUDGET = 1 << 23         # bytes that are read of what one student has handed in
 EACH_ARCHIVE = 1 << 19   # an archive counts as so many more, for what is unpacked,
 EACH_FILE = 200          # and a file of a folder as it would in an archive's list of files
 DEEPEST = 40             # folders in folders
+NO_LINK = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)  # nor a pipe to wait for
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
 OURS = {each.split("/")[-2] for each in (*USED, *HANDED_OUT) if "/" in each} - {NAME}
 NOT_THEIRS = {"reference", "tests", "notebooks", "handed_out", *OURS,
@@ -263,7 +264,7 @@ class Paid(io.BufferedReader):
     """A file of which no more is read than a budget allows, whatever an archive says of itself."""
 
     def __init__(self, path, budget):
-        super().__init__(io.FileIO(path))
+        super().__init__(io.FileIO(path, opener=lambda name, flags: os.open(name, flags | NO_LINK)))
         self.budget = budget
 
     def read(self, size=-1):
