@@ -28,13 +28,13 @@ LOOK = 0.3  # seconds between two looks at the files that are watched
 STYLES = {"done": "green", "failing": "red"}
 
 
-def check(target: str | None = None, implementation: str = "labs", json_file: str | None = None,
-          seed: int = 0, pictures: bool = False, extra: bool = False) -> int:
+def check(target: str | None = None, implementation: str = "labs", seed: int = 0,
+          pictures: bool = False, extra: bool = False) -> int:
     """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
-    json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
-    extra: extras that are closed are checked as well.
+    pictures: opens what failed, see `open_pictures`. extra: extras that are closed are checked as
+    well.
     -> 0 if all that was asked for is done, and nothing of it would be lost in grading, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
@@ -43,8 +43,6 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
     print(*below(found, target, implementation, seed), sep="\n")
     if pictures:
         open_pictures(found.asked, seed)
-    if json_file:
-        places.write_whole(json_file, verdicts.as_json(found.asked).encode("utf-8"))
     return int(bool(found.problems or found.losses) or not found.all_is_done)
 
 

@@ -67,7 +67,6 @@ OPENED = option("target", metavar="TARGET",
     option("--watch", action="store_true", help="check again whenever a file is saved"),
     option("--pictures", action="store_true",
            help="open a page with all that failed, and pictures"),
-    option("--json", metavar="FILE", help="write the board to this file as well"),
     SEED,
     option("--extra", action="store_true", help="check extras that are not open as well"))
 def check(asked):
@@ -79,8 +78,8 @@ def check(asked):
     if asked.target in TASKS:
         return tasks.check(asked.target, asked.impl, asked.seed)
     run = board.watch if asked.watch else board.check
-    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures, extra=asked.extra)
+    return run(asked.target, asked.impl, seed=asked.seed, pictures=asked.pictures,
+               extra=asked.extra)
 
 
 @command(DO, "open TARGET", OPENED)

@@ -4,7 +4,6 @@
 makes marks of the same entries.
 """
 import contextlib
-import json
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -226,14 +225,3 @@ def points(board: list[Entry]) -> tuple[float, int]:
     """(points reached, points in all) of the core."""
     core = [entry for entry in board if not entry.extra]
     return sum(entry.reached for entry in core), sum(entry.points for entry in core)
-
-
-def as_json(board: list[Entry]) -> str:
-    """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told, reached,
-    claims: [how many hold, of], fine_print_open, checks}]}.
-    """
-    reached, of = points(board)
-    lines = [{**entry._asdict(), "told": entry.told, "reached": entry.reached,
-              "claims": entry.claims, "checks": [check._asdict() for check in entry.checks]}
-             for entry in board]
-    return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"

@@ -60,8 +60,8 @@ def read(request, topics, kept, lost):
 
     kept, lost: of earlier.works. They are all that there is where no folder was handed in.
     """
-    zone = lateness.zone(request.due)
-    persons = people.read(request.people, zone) if request.people else []
+    persons = (people.read(request.people, lateness.policy(request.due).zone)
+               if request.people else [])
     if request.submissions is None and (lost or not kept):
         raise ValueError(f"{request.out} does not keep what was handed in"
                          f"{' by ' * bool(lost)}{', '.join(lost)}, as the tables show it: name the "

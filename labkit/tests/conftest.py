@@ -56,6 +56,12 @@ def run_here():
     return run
 
 
+@pytest.fixture(scope="session")
+def in_place():
+    """`in_the_place_of`, for who calls a function instead of a command."""
+    return in_the_place_of
+
+
 @contextlib.contextmanager
 def in_the_place_of(root):
     """Another folder is the course's root, and no test that was imported here is known there."""

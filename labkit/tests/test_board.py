@@ -1,4 +1,4 @@
-"""The progress board: verdicts, points, what comes next, exit status, JSON."""
+"""The progress board: verdicts, points, what comes next, exit status."""
 import io
 import json
 import signal
@@ -62,22 +62,15 @@ def check(course, run_here):
     return lambda *asked: run_here(course, "course", "check", *asked)
 
 
-@pytest.fixture(scope="module")
-def whole(course, check):
-    """The board of all labs: (the process, its JSON)."""
-    done = check("--json", "board.json")
-    return done, json.loads((course / "board.json").read_text(encoding="utf-8"))
-
-
 def lines(text):
     return [line.rstrip() for line in text.splitlines()]
 
 
-def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(whole):
+def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(check):
     """Points for a part of the checks, a blocked exercise that seems wrong, a lab left out. The
     first exercise that fails is passed over, or its first check shown, which passes.
     """
-    done, _ = whole
+    done = check()
     assert done.stderr == ""
     assert lines(done.stdout) == [
         "Lab 1  transforms     3.5 of 18  ###.................",
@@ -107,31 +100,6 @@ def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(wh
         "          notebooks/01_transforms.ipynb",
         "stuck     the solution is in reference/transforms.py"]
     assert done.returncode == 1
-
-
-def test_the_json_holds_the_board_and_every_check(whole):
-    """A key is missing, or points of what is not started are counted."""
-    _, found = whole
-    assert (found["points"], found["of"]) == (6.5, 21)
-    verdicts = {entry["number"]: entry["verdict"] for entry in found["exercises"]}
-    assert verdicts == {"1.1": "done", "1.2": "failing", "1.3": "blocked by 1.2",
-                        "1.4": "not started", "1.5": "blocked by 1.4", "1.6": "failing",
-                        "1.7": "failing", "2.1": "done"}
-    half = found["exercises"][1]
-    assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
-                                     "points": 3, "extra": False, "verdict": "failing",
-                                     "told": "failing", "reached": 1.5, "claims": [1, 2],
-                                     "fine_print_open": False, "checks": []}
-    passed, failed = half["checks"]
-    assert passed["verdict"] == "passed" and passed["message"] == ""
-    assert failed["seconds"] >= 0 and failed["picture"] is None
-    assert failed["message"].startswith("perhaps   A third.\ngiven     half(x=3.0)\n")
-    assert failed | {"seconds": 0, "message": ""} == {
-        "exercise": "1.2", "nodeid": "tests/labs/test_transforms.py::test_half_of_three",
-        "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0,
-        "fine_print": False, "mark": failed["mark"], "numbers": 1,
-        "suspected": ["", False], "catches": "A third.", "drawn": False}
-    assert found["exercises"][5]["checks"] == []
 
 
 DONE = ("All that was asked for is done, {0} of {0} points. "
@@ -270,14 +238,13 @@ def test_pictures_of_what_failed_are_listed_and_opened(tmp_path, monkeypatch, ca
 def test_a_file_that_is_not_python_is_one_line(house, run_here):
     """Every check of the lab fails, each with the same traceback, and other labs are not run."""
     root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})
-    done = run_here(root, "course", "check", "--json", "board.json")
+    done = run_here(root, "course", "check")
     assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18  ....................",
                                       "  1.1  double         0 of 2   not readable"]
     assert lines(done.stdout)[-3:] == [
         "  2.1  twice          3 of 3   done", "",
         "labs/transforms.py, line 7: this is not Python ('(' was never closed); mend it first"]
     assert done.returncode == 1 and done.stderr == ""
-    assert json.loads((root / "board.json").read_text())["points"] == 3
 
 
 LECTURE = {"cells": [
@@ -323,6 +290,19 @@ def test_an_import_that_may_fail_is_told_and_costs_nothing(house, run_here):
     done = run_here(root, "course", "check", "2")
     assert done.returncode == 0 and "labs/rasterization.py, line 2: PIL.Image is not there when " \
                                     "your labs are graded; numpy" in done.stdout
+
+
+def test_a_notebook_s_board_comes_from_a_process_of_its_own(course, monkeypatch, capsys):
+    """It is of other labs or exercises, in codes of colours, or what went wrong is not in it."""
+    monkeypatch.setattr(places, "ROOT", course)
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.delattr(board, "show_here")
+    board.show("1.2", "reference")
+    assert lines(capsys.readouterr().out)[:4] == [
+        "Lab 1  transforms  3 of 3  ####################",
+        "  1.2  half        3 of 3  done", "", DONE.format(3, " 1") + " of the lab."]
+    board.show("3")
+    assert capsys.readouterr().out.startswith('course: there is no lab or exercise "3"; give')
 
 
 def test_every_row_of_the_course_fits_into_80_columns():

@@ -23,7 +23,7 @@ def stand_in(monkeypatch):
     return put
 
 
-BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
+BOARD = {"seed": 0, "pictures": False, "extra": False}
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
@@ -33,8 +33,8 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("reconstruct in --size 64 --impl labs", "apps.reconstruct.command.run",
      ("in", 64, "labs"), {}),
     ("check", "board.check", (None, "labs"), BOARD),
-    ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
-     ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
+    ("check 2.3 --impl handed/in --seed 7 --extra", "board.check", ("2.3", "handed/in"),
+     BOARD | {"seed": 7, "extra": True}),
     ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),

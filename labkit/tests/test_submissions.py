@@ -74,6 +74,7 @@ def test_the_student_is_found_in_the_name(handed_in, name, student):
     ("lovelaceada_LATE_1234_5_transforms.py", ("canvas", "1234", "lovelaceada", True)),
     ("anon_Ab3dE_5_transforms.py", ("canvas", "", "anon_Ab3dE", False)),
     (f"{MOODLE}/transforms.py", ("moodle", "1234", "Ada Lovelace", None)),
+    (f"{MOODLE}_Eve_105_assignsubmission_file", ("moodle", "1234", "Ada Lovelace", None)),
     ("Ada L/transforms.py", ("", "", "Ada L", None))])
 def test_what_the_platform_tells_of_a_student_is_kept(handed_in, name, told):
     """Points that cannot be brought back to the platform, late work that counts as in time."""

@@ -27,7 +27,8 @@ def reasons(files, **others):
 
 def test_honest_work_is_not_named():
     """Everybody is in the list, so nobody reads it."""
-    labs = {topic: other_solution(topic) for topic in CORE if CORE[topic]}
+    labs = {topic: other_solution(topic) if CORE.get(topic) else texts.handed_out(topic)
+            for topic in exercises.lab_topics()}
     assert reasons(labs, bob={topic: texts.handed_out(topic) for topic in CORE}) == []
 
 
@@ -46,14 +47,11 @@ def test_who_did_nothing_is_not_named(tmp_path):
 
 
 @pytest.mark.parametrize(("line", "named"), [
-    *((word, word) for word in (
-        "eval", "exec", "compile", "__import__", "globals", "locals", "vars", "getattr", "setattr",
-        "open", "__builtins__", "import base64", "import socket")),
+    *((word, word) for word in ("eval", "exec", "__import__", "globals", "open", "import socket")),
     ("from types import CodeType", "import types"), ("from numpy.lib.npyio import os", "os"),
     ("from reference import msaa", "import reference"), ("np.lib.npyio.os", "os"),
     ("is_covered.__globals__", "__globals__"), ("().__class__.__subclasses__", "__subclasses__"),
-    ("error.tb_frame", "tb_frame"), ("'__builtins__'", "__builtins__"),
-    ("def __getattr__(name): return print", "__getattr__")])
+    ("error.tb_frame", "tb_frame"), ("'__builtins__'", "__builtins__")])
 def test_what_reaches_outside_is_named_with_its_line(line, named):
     """A lab that reads its caller, its checks or a table is like any other."""
     assert unusual.words(f"x = 1\n{line}\n") == {named: 2}

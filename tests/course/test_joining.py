@@ -1,5 +1,5 @@
 """The exercises that join the labs: blocked by what is missing, and never gone round."""
-import json
+import re
 
 import numpy as np
 
@@ -14,11 +14,8 @@ def test_a_missing_lab_blocks_what_joins_it(tmp_path, run_module, pytestconfig):
         text = exercises.read(exercises.reference(topic))
         text = skeleton(text) if topic == "antialiasing" else text
         (tmp_path / f"{topic}.py").write_bytes(text.encode("utf-8"))
-    board = tmp_path / "board.json"
-    run_module(pytestconfig.rootpath, "course", "check", "pipeline", "--impl", tmp_path,
-               "--json", board)
-    entries = json.loads(board.read_text(encoding="utf-8"))["exercises"]
-    assert {entry["number"]: entry["verdict"] for entry in entries} == {
+    done = run_module(pytestconfig.rootpath, "course", "check", "pipeline", "--impl", tmp_path)
+    assert dict(re.findall(r"^ +(9\.\d+) .*  (\S.*?) *$", done.stdout, re.MULTILINE)) == {
         "9.2": "blocked by 8.2", "9.3": "blocked by 8.11"}
 
 

@@ -100,9 +100,10 @@ class Gradebook:
             lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
             lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
                       self.rows.items() if (word := rosters.kept_word(self.roster, row))]
-            if absent := self.absent():
+            if absent := [name for row, name in rosters.people(self.roster).items()
+                          if row not in self.rows.values()]:
                 lines.append(f"in the roster without a submission ({len(absent)}): "
-                             f"{'; '.join(absent.values())}")
+                             f"{'; '.join(absent)}")
             most = rosters.most(self.roster)
             if most not in (None, self.of):
                 lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
@@ -119,11 +120,6 @@ class Gradebook:
                  "Moodle's language set to English" for name, text in unread.items()]
         return lines + [f"{name} is {lateness.NOT_TOLD}. Nothing is taken off, but by a line of "
                         f"--overrides: {name},late,POINTS,REASON" for name in late]
-
-    def absent(self):
-        """{row: name} of the people in the roster without a submission that is theirs."""
-        there = set(self.rows.values())
-        return {row: name for row, name in rosters.people(self.roster).items() if row not in there}
 
     def write(self, out, records) -> list:
         """Write the platform's file, and which marks it replaces there -> the paths.

@@ -38,11 +38,6 @@ def policy(due=None, late=None, grace=None) -> Policy:
                   duration(grace) if grace else 0, percent, step)
 
 
-def zone(due) -> tzinfo | None:
-    """The zone that a due time names, which is that of times which name none. None: it has none."""
-    return moment(due).tzinfo if due else None
-
-
 def moment(text, what="--due", zone=None):
     """ISO -> the moment, in a zone where it names none. None: this machine's."""
     try:

@@ -5,7 +5,6 @@
     ada,late,0,was ill           what lateness takes off
     bob,total,15,oral examination
 """
-import math
 from typing import NamedTuple
 
 from . import sheets
@@ -52,10 +51,7 @@ def problem(student, exercise, reason, students, most, given):
 
 def number(text, most, where):
     """Points from 0 to the most that there are."""
-    try:
-        points = float(text.replace(",", "."))
-    except ValueError:
-        points = math.nan
-    if not 0 <= points <= most:
+    points = sheets.number(text)
+    if points is None or points > most:
         raise ValueError(f"{where}: {text!r} is no number of points from 0 to {most}")
     return int(points) if points == int(points) else points

@@ -14,8 +14,6 @@ from typing import NamedTuple
 
 from . import sheets
 
-NUMBER = re.compile(r"\d+([.,]\d+)?")
-
 
 class Platform(NamedTuple):
     """What an export looks like, as files/rosters.toml has it."""
@@ -136,13 +134,13 @@ def most(roster):
     rows = roster.sheet.rows
     texts = [row[roster.column].strip() for row in rows if row[0].strip() == "Points Possible"]
     texts += [cell(roster, row, "Maximum grade") for row in range(len(rows))]
-    return next((float(text.replace(",", ".")) for text in texts if NUMBER.fullmatch(text)), None)
+    return next((most for most in map(sheets.number, texts) if most is not None), None)
 
 
 def kept_word(roster, row):
     """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
     text = roster.sheet.rows[row][roster.column].strip()
-    return "" if text == "-" or NUMBER.fullmatch(text) else text
+    return "" if text == "-" or sheets.number(text) is not None else text
 
 
 def replaced(roster, points):
@@ -150,7 +148,7 @@ def replaced(roster, points):
     names = people(roster)
     for row, now in points.items():
         before = roster.sheet.rows[row][roster.column].strip()
-        if NUMBER.fullmatch(before) and float(before.replace(",", ".")) != float(now):
+        if sheets.number(before) not in (None, float(now)):
             yield names[row], before, now
 
 

@@ -6,6 +6,7 @@ mark: without one, Excel shows no umlauts.
 import codecs
 import csv
 import io
+import re
 from typing import NamedTuple
 
 from ... import places
@@ -85,6 +86,11 @@ def plain(cell):
 def in_one_cell(sentences) -> str:
     """Sentences, with semicolons between them and nowhere else."""
     return "; ".join(sentence.replace(";", ",") for sentence in sentences)
+
+
+def number(text) -> float | None:
+    """'15', '15.25' or '15,25' -> the number. None: it is none from 0 on."""
+    return float(text.replace(",", ".")) if re.fullmatch(r"\d*[.,]?\d+", text) else None
 
 
 def number_text(points) -> str:

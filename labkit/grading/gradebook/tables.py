@@ -14,7 +14,6 @@ def line(record: Record, exercises) -> dict:
     """{title: cell} of one student."""
     got = worth.points(record)
     graded = worth.is_graded(record)
-    done, of = worth.fine_print(record)
     work, how, result = record.work, record.how, record.result
     return {
         "student": work.student, "name": work.identity.name,
@@ -22,7 +21,6 @@ def line(record: Record, exercises) -> dict:
         **{f"{one.number} {one.name}": number_text(got.get(one.number)) for one in exercises},
         **sums("core", [one for one in exercises if not one.is_extra], got),
         **sums("extras", [one for one in exercises if one.is_extra], got),
-        "fine print done": done if graded else "", "fine print of": of if graded else "",
         "total": number_text(worth.total(record) if graded else None),
         "of": sum(one.points for one in exercises),
         "handed in": record.lateness.handed_in, "late by": record.lateness.late_by,

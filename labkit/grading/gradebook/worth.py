@@ -83,14 +83,6 @@ def open_fine_print(record: Record) -> list[str]:
             if entry.fine_print_open and not record.result.problem]
 
 
-def fine_print(record: Record) -> tuple[int, int]:
-    """-> (exercises whose fine print is right as well, exercises that have any)."""
-    having = [entry for entry in counting(record) if not record.result.problem
-              and any(check.fine_print for check in entry.checks)]
-    right = [entry for entry in having if entry.verdict == "done" and not entry.fine_print_open]
-    return len(right), len(having)
-
-
 def override_sentences(record: Record) -> list[str]:
     """A sentence for each override, as tables and pages show it."""
     before = {number: f" instead of {got:g}" for number, got in by_checks(record).items()}

@@ -124,49 +124,43 @@ def chosen(entries, name, notes):
 
     name: of the folder or archive that they are in.
     """
-    there, others, places = {}, [], {}
+    files, there = {}, {}
     for entry, when, content in entries:
         place = PurePosixPath(entry.replace("\\", "/"))
-        places[place] = entry, when, content
+        files[place] = Lab(when, quoted(entry), content)
         if topic := topic_at(place):
-            there.setdefault(topic, []).append((rank(place, topic, when), place, entry, when,
-                                                 content))
-        else:
-            others.append(entry)
-    labs, folders = {}, {}
+            there.setdefault(topic, {})[place] = rank(place, topic, when)
+    taken = {topic: min(found, key=found.get) for topic, found in there.items()}
+    labs = {topic: loaded(files[place]) for topic, place in taken.items()}
+    own = beside(labs, {place.parent: None for place in taken.values()}, files)
+    sources = {lab.source for lab in (*labs.values(), *own.values())}
     for topic, found in there.items():
-        _, place, entry, when, content = min(found, key=lambda one: one[0])
-        labs[topic] = Lab(when, quoted(entry), careful(content))
-        folders[place.parent] = None
-    own = beside(labs, folders, places)
-    notes += passed_over(labs, own, there)
+        if left := [files[place].source for place in found if files[place].source not in sources]:
+            notes.append(f"{labs[topic].source} was taken, not {few(left)}")
     if not labs:
-        what = f"holds no lab, only {few(others)}" if others else "is empty"
-        notes.append(f"{quoted(name)} {what}")
+        others = few([file.source for file in files.values()])
+        notes.append(f"{quoted(name)} " + (f"holds no lab, only {others}" if files else "is empty"))
     return labs | own
 
 
-def beside(labs, folders, places):
-    """{name: Lab} of the modules that labs import, in their folders. places {path: an entry}."""
+def loaded(file):
+    """A Lab whose content is a function -> the Lab with what that returns."""
+    return file._replace(content=careful(file.content))
+
+
+def beside(labs, folders, files):
+    """{name: Lab} of the modules that labs import, in their folders. files {path: Lab}, not loaded.
+    """
     found = {}
 
     def read(name):
-        paths = [folder / f"{name}.py" for folder in folders if folder / f"{name}.py" in places]
-        if paths:
-            entry, when, content = places[paths[0]]
-            found[name] = Lab(when, quoted(entry), careful(content))
+        path = next((path for folder in folders if (path := folder / f"{name}.py") in files), None)
+        if path:
+            found[name] = loaded(files[path])
             return readable(found[name])
 
     imports.own_modules(map(readable, labs.values()), read)
     return found
-
-
-def passed_over(labs, own, there):
-    """Yield a sentence on each lab in whose place others could have been taken: there {topic: }."""
-    taken = {lab.source for lab in (*labs.values(), *own.values())}
-    for topic, found in there.items():
-        if left := [other for *_, other, _, _ in found if quoted(other) not in taken]:
-            yield f"{labs[topic].source} was taken, not {few(left)}"
 
 
 def newest(found, notes) -> dict[str, Lab]:

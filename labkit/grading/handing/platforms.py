@@ -30,6 +30,8 @@ ANONYMOUS = re.compile(r"(?P<late>LATE_)?(?P<name>anon_[0-9A-Za-z]+)"
 AUTOLAB = re.compile(r"(?P<email>.+?@[^_]+)_(?P<order>\d+)_.+", re.S)
 MOODLE_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assign(?:submission|feedback)_[a-z]+_?", re.S)
 MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assign(?:submission|feedback)_[a-z]+.*", re.S)
+FORMS = (("moodle", MOODLE_FOLDER), ("moodle", MOODLE), ("autolab", AUTOLAB),
+         ("canvas", ANONYMOUS), ("canvas", CANVAS))
 
 
 class Identity(NamedTuple):
@@ -61,27 +63,18 @@ def senders(path, submitters) -> list[Sender]:
     name = " ".join(whole.split())
     if found := submitters.get(name.partition(".")[0]):
         return found
-    folder = [(MOODLE_FOLDER, moodle)] * path.is_dir()
-    for form, sender in (*folder, (MOODLE, moodle), (AUTOLAB, autolab), (ANONYMOUS, canvas),
-                         (CANVAS, canvas)):
-        if match := form.fullmatch(name):
-            found = sender(**match.groupdict())
-            return [found._replace(identity=found.identity._replace(file=name))]
+    for platform, form in FORMS:
+        if (form is not MOODLE_FOLDER or path.is_dir()) and (match := form.fullmatch(name)):
+            return [named(platform, name, **match.groupdict())]
     person = by_hand(path, whole)
     return [Sender(person, Identity(name=person))] if person else []
 
 
-def canvas(name, late, order, id=""):
-    return Sender(f"{name}_{id}" if id else name, Identity("canvas", id, name),
-                  order=int(order or 0), late=bool(late))
-
-
-def autolab(email, order):
-    return Sender(email, Identity("autolab", email=email), order=int(order))
-
-
-def moodle(name, id):
-    return Sender(f"{name}_{id}" if id else name, Identity("moodle", id or "", name))
+def named(platform, file, name="", id=None, email="", order=None, late=None):
+    """The Sender that the parts of a file's name tell of. Canvas alone says who is in time."""
+    return Sender(f"{name}_{id}" if id else name or email,
+                  Identity(platform, id or "", name, email, file), int(order or 0),
+                  late=bool(late) if platform == "canvas" else None)
 
 
 def by_hand(path, name):
