@@ -3,10 +3,8 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy.ndimage
-import scipy.sparse
+import trimesh
 import xatlas
-
-from course.given import mesh
 
 RESOLUTION = 1024  # texels along a side
 GUTTER = 6         # from chart to chart, so that they do not mix in the first mip levels
@@ -30,23 +28,16 @@ def unwrap(vertices, faces):
     The slivers of marching tetrahedra would make hundreds of small charts. So xatlas is given a
     smoothed copy. Its charts fit the mesh itself as well, for they only name vertices.
     """
+    smooth = trimesh.Trimesh(vertices, faces, process=False)
+    trimesh.smoothing.filter_laplacian(smooth, iterations=ROUNDS, volume_constraint=False)
     atlas = xatlas.Atlas()
-    atlas.add_mesh(smoothed(vertices, faces).astype(np.float32), faces.astype(np.uint32))
+    atlas.add_mesh(smooth.vertices.astype(np.float32), faces.astype(np.uint32))
     cutting, packing = xatlas.ChartOptions(), xatlas.PackOptions()
     cutting.max_cost = 1.0  # with xatlas's own 2 it takes half as long again
     packing.padding, packing.resolution = GUTTER, RESOLUTION
     atlas.generate(cutting, packing)
     origin, cut, uv = atlas[0]
     return Unwrapped(np.clip(uv.astype(float), 0, 1), cut.astype(int), origin.astype(int))
-
-
-def smoothed(vertices, faces):
-    """Each vertex moves half of the way to the mean of its neighbours, ROUNDS times."""
-    neighbours = mesh.adjacency(faces, len(vertices))
-    mean = scipy.sparse.diags_array(1 / np.maximum(neighbours.sum(1), 1)) @ neighbours
-    for _ in range(ROUNDS):
-        vertices = 0.5 * vertices + 0.5 * (mean @ vertices)
-    return vertices
 
 
 def bake(labs, unwrapped, colours, size=RESOLUTION):
