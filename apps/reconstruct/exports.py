@@ -1,7 +1,6 @@
 """The mesh that was found, as a file that other programs open: GLB, with its paint as a texture."""
 import numpy as np
 import trimesh
-from PIL import Image
 
 from course.given import image, mesh
 from labkit import places
@@ -16,7 +15,8 @@ def save(labs, surface, path, world_from_grid):
     vertices, faces, _, normals, albedo = surface
     vertices, normals = in_world(vertices, normals, world_from_grid)
     unwrapped = textures.unwrap(vertices, faces)
-    picture = as_picture(textures.bake(labs, unwrapped, albedo))
+    texture = textures.bake(labs, unwrapped, albedo)
+    picture = image.as_8_bits(image.to_srgb(np.clip(texture, 0, 1)))
     dull = trimesh.visual.material.PBRMaterial(
         name=path.stem, baseColorTexture=picture, metallicFactor=0.0, roughnessFactor=1.0,
         doubleSided=False)
@@ -32,9 +32,3 @@ def in_world(vertices, normals, world_from_grid):
     """
     turn = world_from_grid[:3, :3]
     return (vertices @ turn.T + world_from_grid[:3, 3], mesh.unit(normals @ np.linalg.inv(turn)))
-
-
-def as_picture(texture):
-    """A linear texture (H, W, 3), row 0 at the bottom, as PIL's picture in sRGB."""
-    content = np.rint(255 * image.to_srgb(np.clip(texture[::-1], 0, 1))).astype(np.uint8)
-    return Image.fromarray(content)
