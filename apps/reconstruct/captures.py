@@ -57,12 +57,6 @@ def read(labs, folder: str | Path, longest: int = 128) -> Photos:
                   world_from_grid, [*notes, *found])
 
 
-def capture_of(labs, photos, chosen):
-    """The Capture that lab 16's search takes, of the pictures with these numbers."""
-    return labs.multi_view_fit.Capture([photos.pictures[k] for k in chosen],
-                                       photos.cameras[chosen], np.ones(3))
-
-
 def camera(labs, shot, centre, radius):
     """clip_from_world (4, 4) of a Shot, which must have the ball before it."""
     depth = hulls.seen_at(shot, centre[None])[2][0]

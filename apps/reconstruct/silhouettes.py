@@ -22,8 +22,9 @@ def cut_out(folder, scene, longest):
     The longer side has at most so many pixels. All have one size: smaller ones have a frame.
     """
     shots = [fitting(shot, scene) for shot in scene.shots]
-    small = [(resized(shot, *within(*shot[2:4], longest)), cut(folder, shot, longest))
-             for shot in shots]
+    cuts = [cut(folder, shot, longest) for shot in shots]
+    small = [(resized(shot, *picture.shape[1::-1]), picture)
+             for shot, picture in zip(shots, cuts, strict=True)]
     require_whole(small)
     width, height = (-(-max(shot[side] for shot, _ in small) // 4) * 4 for side in (2, 3))
     framed = [frame(shot, picture, width, height) for shot, picture in small]
@@ -122,15 +123,9 @@ def linear(channel):
 
 def smaller(channel, longest):
     """Means of a picture's pixels (H, W): of at most so many a side."""
-    size = within(*channel.shape[::-1], longest)
-    reduced = Image.fromarray(np.float32(channel)).resize(size, Image.Resampling.BOX)
+    reduced = Image.fromarray(np.float32(channel))
+    reduced.thumbnail((longest, longest), Image.Resampling.BOX, reducing_gap=None)
     return np.asarray(reduced, float)
-
-
-def within(width, height, longest):
-    """A size of the same shape, of at most so many pixels a side."""
-    part = min(1, longest / max(width, height))
-    return [max(1, round(part * side)) for side in (width, height)]
 
 
 def require_whole(small):
