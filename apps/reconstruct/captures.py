@@ -13,12 +13,10 @@ for all pictures or in a frame:
      [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
 
 Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, and show the whole object. What is
-described and is not there is left out. These programs ignore EXIF, so pictures are read as stored.
-Where only the picture as EXIF turns it has the width and height that the file says, that is taken.
+described and is not there is left out. Pictures are read as stored: EXIF's turn is not followed.
 
 What is the object is said by alpha, else by masks/NAME.png or masks/NAME.jpg.png, white for the
-object, else by what differs from the background, whose colour is that of the pictures' borders.
-PNG is better: JPEG blurs the outline. A ball around the object is found from the silhouettes.
+object. A ball around the object is found from the silhouettes.
 """
 from pathlib import Path
 from typing import NamedTuple
@@ -32,15 +30,14 @@ from .camera_files import require
 class Photos(NamedTuple):
     """What was read. The grid is [-1, 1]^3, and the ball around the object just fits in.
 
-    names of the files, pictures (H, W, 4), linear colours on the background and coverage, all of
-    one size, cameras (N, 4, 4), which are clip_from_grid, background (3,), linear, world_from_grid
-    (4, 4), and sentences on what was assumed or found, not given.
+    names of the files, pictures (H, W, 4), linear colours on white and coverage, all of one size,
+    cameras (N, 4, 4), which are clip_from_grid, world_from_grid (4, 4), and sentences on what was
+    assumed or found, not given.
     """
 
     names: list
     pictures: list
     cameras: np.ndarray
-    background: np.ndarray
     world_from_grid: np.ndarray
     assumed: list
 
@@ -52,18 +49,12 @@ def read(labs, folder: str | Path, longest: int = 128) -> Photos:
     """
     folder = Path(folder)
     scene = camera_files.read(folder)
-    shots, pictures, background, notes = silhouettes.cut_out(folder, scene, longest)
+    shots, pictures, notes = silhouettes.cut_out(folder, scene, longest)
     (centre, radius), found = hulls.ball(scene, shots, pictures)
     world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
     cameras = [camera(labs, shot, centre, radius) for shot in shots]
     return Photos([shot.name for shot in shots], pictures, np.array(cameras) @ world_from_grid,
-                  background, world_from_grid, notes + found)
-
-
-def capture_of(labs, photos, chosen):
-    """The Capture that lab 16's search takes, of the pictures with these numbers."""
-    return labs.multi_view_fit.Capture([photos.pictures[k] for k in chosen],
-                                       photos.cameras[chosen], photos.background)
+                  world_from_grid, [*notes, *found])
 
 
 def camera(labs, shot, centre, radius):

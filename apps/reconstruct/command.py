@@ -24,8 +24,9 @@ def run(folder: str, size: int = 128, implementation: str | None = None) -> int:
         photos = captures.read(labs, folder, size)
         print(*photos.assumed, sep="\n", flush=True)
         new = list(range(KEPT_OUT - 1, len(photos.pictures), KEPT_OUT))
-        capture = captures.capture_of(
-            labs, photos, [k for k in range(len(photos.pictures)) if k not in new])
+        kept = [k for k in range(len(photos.pictures)) if k not in new]
+        capture = labs.multi_view_fit.Capture([photos.pictures[k] for k in kept],
+                                              photos.cameras[kept], np.ones(3))
         surface = moved(labs, *searched(labs, capture), capture)
         print("telling paint from light, and cutting the surface into charts", flush=True)
         surface, colours = told_apart(labs, surface, capture)

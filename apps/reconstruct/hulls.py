@@ -200,7 +200,7 @@ def disagreement(outlines, scene):
 
 def doubts(outlines, points, reach):
     """A warning in a list where the hull's points (N, 3) do not fill the silhouettes."""
-    empty = unfilled(outlines, points, reach)
+    empty = [(~is_filled(one, points, reach)).mean() for one in outlines]
     if max(empty) <= UNFILLED:
         return []
     middle, half = (points.max(0) + points.min(0)) / 2, np.ptp(points, axis=0).max()
@@ -211,11 +211,6 @@ def doubts(outlines, points, reach):
     return [f"the silhouettes agree badly: {max(empty):.0%} of that in "
             f"{outlines[int(np.argmax(empty))].shot.name} is not in all others, and {suspect} "
             "leaves out most: look at its camera and its mask"]
-
-
-def unfilled(outlines, points, reach):
-    """The parts of silhouettes that do not show the hull's points (N, 3)."""
-    return [(~is_filled(one, points, reach)).mean() if len(points) else 1.0 for one in outlines]
 
 
 def is_filled(outline, points, reach):

@@ -1,65 +1,45 @@
 """From colours at the vertices to a texture: charts by xatlas, texels by lab 2 and lab 5."""
-from typing import NamedTuple
-
 import numpy as np
 import scipy.ndimage
-import scipy.sparse
+import trimesh
 import xatlas
-
-from course.given import mesh
 
 RESOLUTION = 1024  # texels along a side
 GUTTER = 6         # from chart to chart, so that they do not mix in the first mip levels
 ROUNDS = 10        # of smoothing, before the mesh is cut into charts
 
 
-class Unwrapped(NamedTuple):
-    """A mesh that is cut into charts: uv (V, 2) from 0 to 1, v up, and faces (F, 3).
-
-    origin (V,) says which vertex of the mesh before it was: a cut gives some of them several uv.
-    """
-
-    uv: np.ndarray
-    faces: np.ndarray
-    origin: np.ndarray
-
-
 def unwrap(vertices, faces):
-    """Cut a mesh into charts that lie flat, and put them side by side -> Unwrapped.
+    """Cut a mesh into charts that lie flat, and put them side by side.
+
+    -> uv (V, 2) from 0 to 1, v up, faces (F, 3), and origin (V,): which vertex of the mesh before
+    each vertex was. A cut gives some of them several uv.
 
     The slivers of marching tetrahedra would make hundreds of small charts. So xatlas is given a
     smoothed copy. Its charts fit the mesh itself as well, for they only name vertices.
     """
+    smooth = trimesh.Trimesh(vertices, faces, process=False)
+    trimesh.smoothing.filter_laplacian(smooth, iterations=ROUNDS, volume_constraint=False)
     atlas = xatlas.Atlas()
-    atlas.add_mesh(smoothed(vertices, faces).astype(np.float32), faces.astype(np.uint32))
+    atlas.add_mesh(smooth.vertices.astype(np.float32), faces.astype(np.uint32))
     cutting, packing = xatlas.ChartOptions(), xatlas.PackOptions()
     cutting.max_cost = 1.0  # with xatlas's own 2 it takes half as long again
     packing.padding, packing.resolution = GUTTER, RESOLUTION
     atlas.generate(cutting, packing)
     origin, cut, uv = atlas[0]
-    return Unwrapped(np.clip(uv.astype(float), 0, 1), cut.astype(int), origin.astype(int))
+    return np.clip(uv.astype(float), 0, 1), cut.astype(int), origin.astype(int)
 
 
-def smoothed(vertices, faces):
-    """Each vertex moves half of the way to the mean of its neighbours, ROUNDS times."""
-    neighbours = mesh.adjacency(faces, len(vertices))
-    mean = scipy.sparse.diags_array(1 / np.maximum(neighbours.sum(1), 1)) @ neighbours
-    for _ in range(ROUNDS):
-        vertices = 0.5 * vertices + 0.5 * (mean @ vertices)
-    return vertices
-
-
-def bake(labs, unwrapped, colours, size=RESOLUTION):
-    """The vertices' colours (V, 3), before the cuts, as a texture (size, size, 3).
+def bake(labs, uv, faces, colours, size=RESOLUTION):
+    """The colours (V, 3) of vertices at uv (V, 2), as a texture (size, size, 3).
 
     The charts are rasterized like a mesh in clip space. A texel between them takes the colour of
     the nearest one on a chart: what a filter mixes in at a border then has the right colour.
     """
-    clip = np.pad(2 * unwrapped.uv - 1, ((0, 0), (0, 2)), constant_values=(0, 1))
+    clip = np.pad(2 * uv - 1, ((0, 0), (0, 2)), constant_values=(0, 1))
     clip[:, 2] = 0
-    seen = labs.pipeline.visible(clip, unwrapped.faces, size, size)
-    texture = labs.interpolation.interpolate(colours[unwrapped.origin], unwrapped.faces,
-                                             seen.face_index, seen.barycentric)
+    seen = labs.pipeline.visible(clip, faces, size, size)
+    texture = labs.interpolation.interpolate(colours, faces, seen.face_index, seen.barycentric)
     nearest = scipy.ndimage.distance_transform_edt(seen.face_index < 0, return_distances=False,
                                                    return_indices=True)
     return texture[tuple(nearest)]

@@ -24,7 +24,7 @@ def judged(labs, surface, colours, photos, chosen):
     """The Views of a Surface in linear colours (V, 3), of the pictures with these numbers."""
     renderings = photographs.seen(
         labs, surface, labs.multi_view_fit.covering(colours), photos.cameras[chosen],
-        photos.pictures[0].shape[:2], np.append(photos.background, 0.0), SAMPLES)
+        photos.pictures[0].shape[:2], np.array([1.0, 1, 1, 0]), SAMPLES)
     return [View(photos.names[k], on_screen(photos.pictures[k]), on_screen(rendering))
             for k, rendering in zip(chosen, renderings, strict=True)]
 

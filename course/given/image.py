@@ -31,12 +31,12 @@ def read(path, upright=False):
     return _turned_over(np.asarray(picture.convert("RGBA" if alpha else "RGB"))) / 255.0
 
 
-def size(path, upright=False):
-    """(width, height) of a picture file: turned as EXIF says, else as stored. Errors as `read`."""
-    return _opened(path, upright, whole=False).size
+def size(path):
+    """(width, height) of a picture file, as stored. Errors as `read`."""
+    return _opened(path, whole=False).size
 
 
-def _opened(path, upright, whole=True):
+def _opened(path, upright=False, whole=True):
     content = places.read_whole(path)
     try:
         picture = Image.open(io.BytesIO(content))
@@ -61,7 +61,7 @@ def write(path, image):
     """
     _check_ending(path)
     content = io.BytesIO()
-    _picture(image).save(content, "PNG")
+    as_8_bits(image).save(content, "PNG")
     places.write_whole(path, content.getvalue())
 
 
@@ -73,7 +73,7 @@ def write_animation(path, frames, seconds_per_frame):
     """
     _check_ending(path)
     frames = list(frames)
-    pictures = [_picture(frame) for frame in frames]
+    pictures = [as_8_bits(frame) for frame in frames]
     if not pictures:
         raise ValueError("an animation needs at least one frame, got none")
     shapes = {np.shape(frame) for frame in frames}
@@ -92,7 +92,8 @@ def _turned_over(rows):
     return rows[::-1]
 
 
-def _picture(image):
+def as_8_bits(image):
+    """An image -> Pillow's picture with 8 bits a channel. Errors as `write`."""
     image = np.asarray(image)
     _check(image)
     if image.ndim == 3 and image.shape[2] == 1:

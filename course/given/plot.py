@@ -67,19 +67,17 @@ def _show_whole_figures():
 
 # Axes for pictures
 
-def panels(shapes, columns=None):
+def panels(shapes, columns=None, title_lines=2):
     """One figure with an Axes for each picture, whose pixels are a whole number of dots wide.
 
-    shapes: the pictures' (height, width) -> list of Axes, row by row, `columns` in a row.
+    shapes: the pictures' (height, width) -> list of Axes, row by row, `columns` in a row. Above
+    each is room for so many lines of a title.
     One column has room for 920 displayed pixels, two for 440, three for 280, four for 200. A
     picture that is too large is shrunk. ValueError: a picture would be under 200 x 200.
 
     >>> left, right = panels([(64, 64), (8, 8)])
     """
-    return _panels(shapes, columns or len(shapes), title_lines=2)
-
-
-def _panels(shapes, columns, title_lines):
+    columns = columns or len(shapes)
     sizes = _sizes(np.array(shapes), PAGE_WIDTH // columns - LEFT - RIGHT)
     rows = -(-len(sizes) // columns)
     heights = [sizes[columns * row:columns * (row + 1), 0].max() + BOTTOM + LINE * title_lines + 6
@@ -130,7 +128,7 @@ def strip(pictures, titles, columns=None, light=False):
     """
     columns = columns or len(pictures)
     lines = max(_wrapped(title, PAGE_WIDTH / columns).count("\n") + 1 for title in titles)
-    axes = _panels([np.shape(picture)[:2] for picture in pictures], columns, lines)
+    axes = panels([np.shape(picture)[:2] for picture in pictures], columns, lines)
     for place, picture, title in zip(axes, pictures, titles, strict=True):
         image(place, picture, title, light)
     return axes[0].figure

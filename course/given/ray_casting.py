@@ -6,9 +6,9 @@ Nothing here needs a lab's exercise. Each distance is an axial depth: along the 
 import numpy as np
 
 from . import inputs
+from .arrays import chunks, expand
 
 SELF_HIT = 1e-7  # of a distance: a ray that starts on a surface is not stopped by it
-AT_ONCE = 2**15  # about so many pairs of a ray and a face are tested together
 GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
@@ -33,11 +33,10 @@ def ray_cast(points, vertices, faces, light, cells=128):
     cell = row * cells + column
     first, count = start[cell], np.diff(start)[cell]
     lit = np.ones(len(rays), bool)
-    borders = np.flatnonzero(np.diff(np.cumsum(count) // AT_ONCE)) + 1
-    for part in np.split(np.arange(len(rays)), borders):
-        ray, entry = ranges(first[part], count[part])
+    for part in chunks(count):  # pairs of a ray and a face
+        ray, entry = expand(first[part], count[part])
         met, at_face = meetings(rays[part][ray], planes[entry], face_distance[entry])
-        ray = part[ray[met]]
+        ray = part.start + ray[met]
         lit[ray[at_face < distance[ray] * (1 - SELF_HIT)]] = False
     return lit
 
@@ -78,19 +77,11 @@ def faces_in_cells(x, y, cells):
     low_x, low_y, high_x, high_y = (
         np.clip(np.floor(bound), 0, cells - 1).astype(int)
         for bound in (x.min(0), y.min(0), x.max(0), y.max(0)))
-    face, row = ranges(low_y, high_y - low_y + 1)
-    strip, column = ranges(low_x[face], (high_x - low_x + 1)[face])
+    face, row = expand(low_y, high_y - low_y + 1)
+    strip, column = expand(low_x[face], (high_x - low_x + 1)[face])
     cell = row[strip] * cells + column
     order = np.argsort(cell, kind="stable")
     return face[strip][order], np.searchsorted(cell[order], np.arange(cells**2 + 1))
-
-
-def ranges(start, count):
-    """One after the other: start [7, 0, 4], count [2, 0, 3] -> owner [0, 0, 2, 2, 2] and number
-    [7, 8, 4, 5, 6].
-    """
-    owner = np.repeat(np.arange(len(count)), count)
-    return owner, np.arange(len(owner)) + (start - (np.cumsum(count) - count))[owner]
 
 
 def error_shares(lit, truth):

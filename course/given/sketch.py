@@ -75,16 +75,18 @@ def area(axes, *points, color=SKY, alpha=0.3):
 
 def arrow(axes, start, end, text="", color=BLACK, offset=(0, 9), width=1.8, bend=0.0):
     """An arrow, its name beside its middle. bend: 0 is straight, 0.3 a bow."""
-    style = {"arrowstyle": "-|>", "color": color, "linewidth": width, "shrinkA": 0, "shrinkB": 0,
-             "mutation_scale": 13, "connectionstyle": f"arc3,rad={bend}"}
-    axes.annotate("", end, start, arrowprops=style, zorder=4)
-    label(axes, np.add(start, end) / 2, text, color, offset)
+    _from_to(axes, start, end, text, color, offset, arrowstyle="-|>", linewidth=width,
+             mutation_scale=13, connectionstyle=f"arc3,rad={bend}")
 
 
 def measure(axes, start, end, text, color=BLACK, offset=(0, 9)):
     """A distance: a line with a bar at each end, its length's name beside its middle."""
-    style = {"arrowstyle": "|-|", "color": color, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0,
-             "mutation_scale": 4}
+    _from_to(axes, start, end, text, color, offset, arrowstyle="|-|", linewidth=1.2,
+             mutation_scale=4)
+
+
+def _from_to(axes, start, end, text, color, offset, **style):
+    style |= {"color": color, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", end, start, arrowprops=style, zorder=4)
     label(axes, np.add(start, end) / 2, text, color, offset)
 

@@ -5,7 +5,6 @@ import pytest
 import ring_captures as ring
 
 from apps.reconstruct import camera_files, captures
-from course.given import image
 
 
 @pytest.fixture
@@ -102,19 +101,3 @@ def test_a_folder_without_cameras_is_told(tmp_path):
     assert "there is no transforms.json in " in ring.told(tmp_path)
     (tmp_path / "transforms.json").write_text("{")
     assert "transforms.json is no JSON: " in ring.told(tmp_path)
-
-
-def test_a_picture_is_read_as_it_is_stored_unless_only_the_shown_one_fits(folder):
-    """COLMAP, instant-ngp and Nerfstudio ignore EXIF, so what it turns no longer fits its camera.
-    Or a camera of the shown picture is given to the stored one, unsaid.
-    """
-    expected = captures.read(ring.LABS, ring.nerf(folder, w=48, h=32))
-    for k, turned, orientation in (1, None, 3), (2, image.Image.Transpose.ROTATE_90, 6):
-        picture, exif = image.Image.open(folder / f"{k}.png"), image.Image.Exif()
-        exif[0x0112] = orientation
-        picture = picture if turned is None else picture.transpose(turned)
-        picture.save(folder / f"{k}.png", exif=exif)
-    found = captures.read(ring.LABS, folder)
-    np.testing.assert_array_equal(found.pictures, expected.pictures)
-    assert found.assumed == ["EXIF turns 2.png: transforms.json describes the picture as it is "
-                             "shown, and so it is read", *expected.assumed]

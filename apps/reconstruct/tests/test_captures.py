@@ -18,7 +18,6 @@ def test_a_folder_on_paper(folder):
     photos = captures.read(ring.LABS, folder)
     assert photos.names == [f"{k}.png" for k in range(6)]
     assert [picture.shape for picture in photos.pictures] == [(32, 48, 4)] * 6
-    assert (photos.background == 1).all()
     grid_from_world = np.linalg.inv(photos.world_from_grid)
     clip = photos.cameras[0] @ grid_from_world @ [1.4, 1.2, 3, 1]  # 0.4 right, 0.8 down, 4 away
     high = 4 * np.tan(np.radians(15))
@@ -81,9 +80,3 @@ def test_a_camera_within_the_ball_is_told():
     shot = camera_files.Shot("a.png", None, 8, 8, 10.0, 10.0, 4.0, 4.0, np.eye(4))
     with pytest.raises(ValueError, match=r"the camera of a.png stands within the ball"):
         captures.camera(ring.LABS, shot, np.array([0.0, 0.0, -0.9]), 1.0)
-
-
-def test_the_longer_side_is_chosen(folder):
-    """`longest` is the shorter one's, or nobody's."""
-    photos = captures.read(ring.LABS, folder, longest=24)
-    assert {picture.shape for picture in photos.pictures} == {(16, 24, 4)}
