@@ -89,7 +89,7 @@ def test_no_picture_has_ink_on_its_left_or_right_edge(path):
 
 
 @each_lecture
-def test_a_lecture_takes_45_minutes_at_most(path):
+def test_a_lecture_takes_40_minutes_at_most(path):
     """Two lectures in one: words at 180 a minute, a figure in 20 seconds, a displayed equation in
     30, and a line of code that is not folded away in 4. Pseudocode and answers do not count.
     """
