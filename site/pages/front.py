@@ -25,8 +25,8 @@ GALLERY = {  # lecture: the file, and the part of it that is shown
     "06b_cube_maps": ("notebooks/openings/06b_cube_maps.png", (1020, 160, 1880, 805)),
     "14_shadow_mapping": (STILL_LIFE, (175, 0, 1375, 900)),
     "08_antialiasing": ("notebooks/openings/08_antialiasing.png", (60, 60, 890, 890)),
-    "11_subdivision": ("notebooks/openings/11_subdivision.png", (20, 40, 920, 715)),
-    "13_regularization": ("notebooks/openings/13_regularization.png", (1290, 45, 1920, 517)),
+    "11_subdivision": ("notebooks/openings/11_subdivision.png", (1440, 100, 1920, 460)),
+    "13_regularization": ("notebooks/openings/13_regularization.png", (1290, 96, 1920, 620)),
 }
 FILM = DATA / "reconstruction.png"
 ZIP = "differentiable-rasterization"

@@ -12,7 +12,7 @@ import re
 
 from labkit.places import ROOT
 
-from . import turntables, waves
+from . import turntables
 
 FIGURES = ROOT / "site" / "static" / "figures"
 LINK = re.compile(r"(?: \()?\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)?")
@@ -24,7 +24,6 @@ class Inserts:
     def __init__(self, extra):
         """Write their files to extra."""
         self.placed = set()
-        waves.write(extra)
         self.made = {**turntables.write(extra), **answering()}
 
     def put_in(self, text):

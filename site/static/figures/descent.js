@@ -1,4 +1,4 @@
-/** Lectures 00 and 09: a triangle descends to the one that made a picture. */
+/** Lecture 00: a triangle descends to the one that made a picture. */
 import { adamStep, lossOf, render } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
 import { centreOf, clamp, fill, html, playAndReset, say, Sheet } from "./paper.js";

@@ -33,11 +33,9 @@ export function probePixels(sheets, start, moved) {
 }
 
 export class Picture extends Sheet {
-  /** fine: how many pixels of the canvas in each unit. */
-  constructor(width, height, label, draw, fine = 1) {
+  constructor(width, height, label, draw) {
     super([0, width, 0, height], label, draw);
-    this.canvas = html("canvas", { width: fine * width, height: fine * height,
-                                   "aria-hidden": "true" });
+    this.canvas = html("canvas", { width, height, "aria-hidden": "true" });
     this.box.prepend(this.canvas);
     this.box.classList.add("light");
   }

@@ -8,5 +8,3 @@ export const minus = (p, q) => plus(p, q, -1);
 export const between = (p, q, t) => plus(p, minus(q, p), t);
 
 export const dot = (p, q) => p.reduce((sum, t, k) => sum + t * q[k], 0);
-
-export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];

@@ -6,7 +6,7 @@ import shutil
 import numpy as np
 import pytest
 from reading import NAMES, SOURCE, opened
-from serving import SITE, served
+from serving import served
 
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{name}</title>
 <meta name="viewport" content="width=device-width"><link rel="icon" href="data:,">
@@ -26,7 +26,6 @@ def address(tmp_path_factory):
     """A page for each figure, NAME.html."""
     folder = tmp_path_factory.mktemp("figures")
     shutil.copytree(SOURCE, folder / "figures")
-    shutil.copytree(SITE / "waves", folder / "waves")
     for name in NAMES:
         (folder / f"{name}.html").write_text(PAGE.format(name=name))
     with served(folder) as at:

@@ -161,32 +161,6 @@ def test_a_pairs_colours(agrees):
     agrees("antialias", "blend", wanted, 0.3, 0.8, 0.5 - np.clip(c, 0, 1))
 
 
-def test_the_landscape_has_the_blends_slopes_or_none(call):
-    """The arrow is of another vertex, or the map is of another loss."""
-    places, h = np.random.default_rng(4).uniform([1, 2], [11, 8], (60, 2)), 1e-6
-
-    def losses(at):
-        return np.array([one["loss"] for one in call("landscape", "lossAt", at, True)])
-
-    differences = np.stack([(losses(places + step) - losses(places - step)) / (2 * h)
-                            for step in h * np.eye(2)], -1)
-    gradients = np.array([one["gradient"] for one in call("landscape", "lossAt", places, True)])
-    steady = np.abs(differences).max(1) < 1  # no pair of pixels begins or ends in between
-    assert steady.sum() > 50 and np.abs(gradients).max() > 0.01
-    np.testing.assert_allclose(gradients[steady], differences[steady], atol=1e-6)
-    assert all(one["gradient"] == [0, 0] for one in call("landscape", "lossAt", places, False))
-
-
-def test_a_plateau_ends_where_the_loss_changes(call):
-    """It leaks over a corner, or from one side of the map to the other."""
-    values = np.array([[5, 1, 1, 2, 1],
-                       [1, 1, 2, 2, 1],
-                       [2, 2, 1, 1, 2]])
-    border, = call("landscape", "plateauBorder", [values.ravel()], 5, 1)
-    assert len(border) == 10
-    assert sorted(set(np.reshape(border, (-1, 2))[:, 0])) == [0, 1, 2, 3]
-
-
 # Lecture 10: four gradients of one outline
 
 WIDTH, HEIGHT = 16, 8

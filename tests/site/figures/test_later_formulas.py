@@ -2,36 +2,16 @@
 import itertools
 
 import numpy as np
-from pages import waves
 
-from course.given import mesh, ray_casting
-from course.given.whose import Labs
+from course.given import ray_casting
 from reference import (
     implicit_surfaces,
     lights,
-    loop_subdivision,
     marching_tetrahedra,
-    regularization,
     shadow_mapping,
     simplification,
     transforms,
 )
-
-# Lecture 11: the limit surface
-
-
-def test_a_step_of_loop_and_the_limits(call):
-    """An edge's two opposite corners are mixed up, or the limit has the weights of a step."""
-    tetrahedron = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    for vertices, faces in mesh.torus(64), (np.eye(4), tetrahedron):
-        vertices = vertices + np.random.default_rng(11).normal(size=vertices.shape)
-        found, = call("limit_surface", "loopSurface", [vertices], [faces], 2)
-        wanted, fine = loop_subdivision.loop_surface(vertices, faces, 2)
-        ours = np.array(found["vertices"])[np.array(found["faces"])].mean(1)
-        theirs = wanted[fine].mean(1)
-        np.testing.assert_allclose(ours[np.lexsort(ours.round(7).T)],
-                                   theirs[np.lexsort(theirs.round(7).T)], atol=1e-9)
-
 
 # Lecture 12: the outline that loses points. A quadric of the plane is one of space with z = 0
 
@@ -76,49 +56,6 @@ def test_points_on_straight_lines_go_first(call):
     for state in states:
         assert {(0, 0), (4, 0), (4, 4), (0, 4)} <= {tuple(np.round(point, 9))
                                                     for point in state["points"]}
-
-
-# Lecture 13: the bunny's waves
-
-
-def laplacian_of(faces, vertex_count):
-    """L (V, V) with weights 1, and the masses: the valences (V,)."""
-    edges, _ = mesh.edges(faces)
-    L = regularization.laplacian(edges, np.ones(len(edges)), vertex_count)
-    return L.toarray(), np.bincount(edges.ravel()).astype(float)
-
-
-def test_the_file_has_the_bunnys_waves_slow_ones_first(page, address):
-    """The browser reads rows as columns, or the waves are those of another mass."""
-    page.goto(f"{address}/alias.html")
-    found = page.evaluate("""async () => {
-        const { unpacked } = await import("/figures/bunny_waves.js");
-        const bunny = unpacked(await (await fetch("/waves/bunny.bin")).arrayBuffer());
-        return { ...bunny, waves: [...bunny.waves] };
-    }""")
-    rows = np.reshape(found["waves"], (found["count"], -1))
-    L, mass = laplacian_of(np.array(found["faces"]), len(rows))
-    mu = np.diag(rows @ L @ rows.T)
-    assert len(found["faces"]) == 700 and (np.diff(mu) > -1e-3).all()
-    np.testing.assert_allclose(rows @ (mass[:, None] * rows.T), np.eye(len(rows)), atol=2e-3)
-    np.testing.assert_allclose(rows @ L, mu[:, None] * mass * rows, atol=2e-3)
-
-
-def test_the_sums_of_waves_and_what_is_left(call, agrees):
-    """One wave too many is added, or the squares lack their masses."""
-    ball, faces = mesh.icosphere(80)
-    vertices = ball * np.random.default_rng(13).uniform(0.5, 2, (len(ball), 1))
-    found, shares = waves.waves_of(Labs("reference"), vertices, faces)
-    mass = laplacian_of(faces, len(vertices))[1]
-    surface = {"count": len(vertices), "waves": found.T.ravel(), "shares": shares.ravel()}
-    counts = range(1, len(vertices) + 1)
-    wanted = [found[:, :k] @ shares[:k] for k in counts]
-    agrees("bunny_waves", "sumOfWaves", wanted, [surface] * len(counts), counts)
-    np.testing.assert_allclose(wanted[-1], vertices, atol=1e-9)
-    strengths = call("bunny_waves", "strengths", [surface]) * len(counts)
-    squares = ((np.array(wanted) - vertices) ** 2).sum(-1)
-    agrees("bunny_waves", "distanceLeft", np.sqrt(squares @ mass / mass.sum()),
-           strengths, mass.sum(), counts)
 
 
 # Lecture 14: flatland's (x, y) is (x, 0, y) of the world: the light's x axis then lies in it
