@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise, parts
 
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 
@@ -11,13 +11,6 @@ def inverse_of(screen):
     """M^-1 by NumPy: screen (..., 3, 2)."""
     ones = np.ones((*screen.shape[:-1], 1))
     return np.linalg.inv(np.swapaxes(np.concatenate([screen, ones], -1), -1, -2))
-
-
-def outputs(returned, *names):
-    """What was returned, an output for each name. Mismatch: it is another number of outputs."""
-    if not isinstance(returned, tuple) or len(returned) != len(names):
-        raise Mismatch(("wrong", f"{len(names)} outputs are expected: {', '.join(names)}"))
-    return returned
 
 
 def random_triangles(rng, *shape):
@@ -130,7 +123,7 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     """
     returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
                                                       inverse_of(RIGHT), Z, *AT)
-    _, grad_z = outputs(returned, "grad_inverse", "grad_z")
+    _, grad_z = parts(returned, "grad_inverse", "grad_z")
     assert_close(grad_z, [8.0, 1.0, 2.0])
 
 
@@ -141,7 +134,7 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
     """
     returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
                                                       inverse_of(RIGHT), Z, *AT)
-    grad_inverse, _ = outputs(returned, "grad_inverse", "grad_z")
+    grad_inverse, _ = parts(returned, "grad_inverse", "grad_z")
     # By w it is -8 depth^2 / z = (-32, -8, -16), less its mean by the weights, -16.
     assert_close(grad_inverse, [[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
 
@@ -211,7 +204,7 @@ def corners_of_screen(screen, z, width, height):
 
 def maps(returned):
     """face_index, weight, depth of what was returned."""
-    return outputs(returned, "face_index", "weight", "depth")
+    return parts(returned, "face_index", "weight", "depth")
 
 
 def maps_by_search(corners, width, height, near, far):
