@@ -209,19 +209,17 @@ def maps(returned):
 
 def maps_by_search(corners, width, height, near, far):
     """Each pixel asks each face, with NumPy's inverse."""
-    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
-    weight = np.zeros((height, width, 3))
-    screen = (corners[..., :2] + 1) * [width / 2, height / 2]
-    areas = [np.linalg.det(np.column_stack([face, np.ones(3)])) for face in screen]
-    for i, j in np.ndindex(height, width):
-        for f in range(len(corners)):
-            if areas[f] <= 0 or corners[f, :, 2].min() < 0:
-                continue
-            c = inverse_of(screen[f]) @ [j + 0.5, i + 0.5, 1]
-            d = 1 / (c / corners[f, :, 2]).sum() if (c >= 0).all() else np.inf
-            if near < d < far and d < depth[i, j]:
-                face_index[i, j], weight[i, j], depth[i, j] = f, c, d
-    return face_index, weight, depth
+    inverse = inverse_of((corners[..., :2] + 1) * [width / 2, height / 2])
+    y, x = np.indices((height, width)) + 0.5
+    c = np.einsum("fkl,lij->fijk", inverse, [x, y, 1 + 0 * x])
+    z = corners[:, None, None, :, 2]
+    d = 1 / (c / z).sum(-1)
+    front = (np.linalg.det(inverse) > 0)[:, None, None]
+    d[~(front & ((c >= 0) & (z >= 0)).all(-1) & (near < d) & (d < far))] = np.inf
+    face_index, depth = d.argmin(0), d.min(0)
+    seen = depth < np.inf
+    weight = np.take_along_axis(c, face_index[None, ..., None], 0)[0]
+    return np.where(seen, face_index, -1), np.where(seen[..., None], weight, 0), depth
 
 
 @exercise("10.3")
