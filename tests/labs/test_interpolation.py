@@ -44,15 +44,15 @@ def mixed(attributes, faces, face_index, weights):
 
 
 def unmixed(grad_output, attributes, faces, face_index, weights):
-    """The gradients by attributes and weights of `mixed`, which is linear in either: what comes of
-    a 1 in the place of one number, and 0 in all others.
-    """
-    def gradient(x, output):
-        ones = np.eye(x.size).reshape(-1, *x.shape)
-        return np.reshape([(grad_output * output(one)).sum() for one in ones], x.shape)
-
-    return (gradient(attributes, lambda one: mixed(one, faces, face_index, weights)),
-            gradient(weights, lambda one: mixed(attributes, faces, face_index, one)))
+    """The gradients of `mixed` by attributes and weights, as the definition says."""
+    grad_attributes, grad_weights = np.zeros(attributes.shape), np.zeros(weights.shape)
+    for i, j in np.ndindex(face_index.shape):
+        for k in range(3 if face_index[i, j] >= 0 else 0):
+            vertex = faces[face_index[i, j], k]
+            grad_weights[i, j, k] = np.tensordot(attributes[vertex], grad_output[i, j], (0, 0))
+            grad_attributes[vertex] += (grad_output[i, j] * weights[i, j, k]).reshape(
+                attributes.shape[1], -1).sum(1)
+    return grad_attributes, grad_weights
 
 
 def golden(scene):
