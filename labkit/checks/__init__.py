@@ -22,9 +22,9 @@ labkit/contract.py: a check gets arrays and numbers, never lists.
 """
 import pytest
 
-from .assertions import Mismatch, assert_close, assert_equal, assert_picture, assert_refused
+from .assertions import Mismatch, assert_close, assert_equal, assert_picture, assert_refused, parts
 
 __all__ = ["Mismatch", "assert_close", "assert_equal", "assert_picture", "assert_refused",
-           "exercise"]
+           "exercise", "parts"]
 
 exercise = pytest.mark.exercise

@@ -95,6 +95,20 @@ def assert_refused(function, *args):
     raise Mismatch(("expected", "a ValueError"), ("got", shown(got)))
 
 
+def parts(returned, *names):
+    """What was returned, one output for each name. Mismatch: they are not as many."""
+    __tracebackhide__ = True
+    if not are_several(returned, len(names)):
+        raise Mismatch(("wrong", f"{len(names)} outputs are expected: {', '.join(names)}"))
+    return returned
+
+
+def are_several(returned, count):
+    is_row = isinstance(returned, tuple | list) or (isinstance(returned, np.ndarray)
+                                                    and returned.ndim)
+    return is_row and len(returned) == count
+
+
 def given_row(given):
     is_case = isinstance(given, str)  # beside the call, which is shown, too
     return [] if given is None else [("case", given) if is_case else ("given", shown(given))]
@@ -127,8 +141,7 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
 def compare_outputs(got, expected, rows, *how):
     """compare, for a tuple: one output after the other."""
     __tracebackhide__ = True
-    several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim)
-    if not several or len(got) != len(expected):
+    if not are_several(got, len(expected)):
         raise Mismatch(*rows, ("expected", shown(expected)), ("got", shown(got)),
                        ("differs", f"a tuple of {len(expected)} was expected"))
     for number, pair in enumerate(zip(got, expected, strict=True), 1):

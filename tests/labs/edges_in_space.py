@@ -50,6 +50,18 @@ def last_crossing(corners):
     return int(np.argmax(places)), max(places)
 
 
+def begun(owner, other, face, screen, faces, width):
+    """The fields of `leave_faces`, pair by pair, in space."""
+    found = []
+    for a, b, f in zip(owner, other, face, strict=True):
+        corners = in_space(a, b, screen, width)[faces[f]]
+        edge, c = last_crossing(corners)
+        ends = list(EDGES[edge])
+        x, y = (corners[ends, :2] / corners[ends, 2:]).T
+        found.append((a, b, c, faces[f, ends], x, y, f, edge))
+    return [np.array(field).T for field in zip(*found, strict=True)]
+
+
 def crossing(p, q):
     """x / w where the edge between two corners crosses y = 0 before the camera. -inf: nowhere."""
     if (p[1] < 0) == (q[1] < 0):

@@ -1,11 +1,13 @@
-"""What the tests of lab 11 share: meshes, and slow ways to say who is near whom."""
+"""What the tests of lab 11 share: meshes, and slow ways to say who is near whom. And entries of a
+matrix, as lab 13 has them, too.
+"""
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from course.given import mesh
-from labkit.checks import Mismatch, assert_equal
+from labkit.checks import Mismatch, assert_equal, parts
 
 # A hub of valence 5 inside, and one of 4 on the boundary; vertices 3 and 9 belong to no face.
 FAN = np.array([[0, 1, 2], [0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 1], [7, 6, 5], [8, 6, 7]])
@@ -74,22 +76,21 @@ def valence_of(count, edges):
 def dense(entries, shape):
     """The matrix that entries (rows, columns, weights) add up to."""
     matrix = np.zeros(shape)
-    if not isinstance(entries, tuple) or len(entries) != 3:
-        raise Mismatch(("wrong", "entries are a tuple of three: rows, columns, weights"))
-    rows, columns, weights = map(np.asarray, entries)
+    rows, columns, weights = map(np.asarray, parts(entries, "rows", "columns", "weights"))
     if not rows.shape == columns.shape == weights.shape == (rows.size,):
         raise Mismatch(("wrong", "rows, columns and weights must be rows of numbers, equally long; "
                         f"got {rows.shape}, {columns.shape}, {weights.shape}"))
+    if not {rows.dtype.kind, columns.dtype.kind} <= {*"iu"}:
+        raise Mismatch(("wrong", "rows and columns must be integers; got "
+                        f"{rows.dtype} and {columns.dtype}"))
     require_inside(rows, columns, shape)
     np.add.at(matrix, (rows, columns), weights)
     return matrix
 
 
 def both(answer):
-    """The vertices and the faces that a whole step returns."""
-    if not isinstance(answer, tuple) or len(answer) != 2:
-        raise Mismatch(("wrong", "a step returns two things: the vertices, and the new faces"))
-    return answer
+    """What a whole step returns."""
+    return parts(answer, "the vertices", "the new faces")
 
 
 def require_inside(rows, columns, shape):

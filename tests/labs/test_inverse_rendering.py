@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from labkit.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise, parts
 
 # Two triangles at an edge, a tail, and a vertex that is alone; every valence from 0 to 4.
 EDGES = np.array([[0, 1], [2, 0], [1, 2], [3, 1], [2, 3], [2, 4]])
@@ -49,18 +49,9 @@ def averaging(count):
 
 # --- the squared error -------------------------------------------------------------------------
 
-def outputs(returned, *names):
-    """What was returned, one for each of the names. Mismatch: these are not as many."""
-    several = isinstance(returned, tuple) or (isinstance(returned, np.ndarray) and returned.ndim)
-    if not several or len(returned) != len(names):
-        count = {2: "two", 3: "three"}[len(names)]
-        raise Mismatch(("wrong", f"{count} outputs are expected: {', '.join(names)}"))
-    return returned
-
-
 def two(returned):
     """A loss and its gradient."""
-    return outputs(returned, "the loss", "its gradient")
+    return parts(returned, "the loss", "its gradient")
 
 
 PICTURE = np.array([[[2.0, 0.0, 6.0, 0.0], [8.0, 6.5, 6.0, 8.0], [5.0, 15.0, -0.5, 9.5]]])
@@ -120,7 +111,7 @@ NEW_SQUARE = np.array([4.6, 12.4, 49.0, 37.6])    # s' = 0.6 s + 0.4 g^2
 
 def three(returned):
     """x', m', s' of what was returned."""
-    return outputs(returned, "x", "mean", "square")
+    return parts(returned, "x", "mean", "square")
 
 
 @exercise("9.4")

@@ -1,7 +1,7 @@
 """What the exercises of lab 17 must do: loops whose threads may come in any order."""
 import numpy as np
 
-from labkit.checks import Mismatch, assert_close, assert_equal, exercise
+from labkit.checks import assert_close, assert_equal, exercise, parts
 
 BOXES = np.array([[0, 0, 3, 2], [2, 1, 5, 4], [1, 1, 2, 2], [4, 0, 4, 3]])  # the last has no column
 
@@ -90,10 +90,8 @@ def test_it_is_what_the_passes_find(impl, rng):
     assert_close(impl.mixed_at_once(e, a), (e * a).sum(0) / e.sum(0))
 
 
-def is_a_pair(found):
-    if not isinstance(found, tuple) or len(found) != 2:
-        raise Mismatch(("wrong", "two outputs are expected: start, item"))
-    return found
+def two(returned):
+    return parts(returned, "start", "item")
 
 
 @exercise("17.4")
@@ -101,7 +99,7 @@ def test_bins_on_paper(impl):
     """start counts from the end, lacks its last number, or is moved on, as it is not copied. Items
     are in the wrong order.
     """
-    start, item = is_a_pair(impl.bins(np.array([3, 1, 3, 0, 1, 3]), 5))
+    start, item = two(impl.bins(np.array([3, 1, 3, 0, 1, 3]), 5))
     assert_equal(start, np.array([0, 1, 3, 3, 6, 6]))
     assert_equal(item, np.array([3, 1, 4, 0, 2, 5]))
 
@@ -110,7 +108,7 @@ def test_bins_on_paper(impl):
 def test_each_bin_has_its_items_in_their_order(impl, rng):
     """The items of a bin stand in reverse order, or one is written over another."""
     bin_of = rng.integers(0, 6, 60)
-    start, item = is_a_pair(impl.bins(bin_of, 7))
+    start, item = two(impl.bins(bin_of, 7))
     assert_equal(start, np.searchsorted(np.sort(bin_of), np.arange(8)))
     assert_equal(item, np.argsort(bin_of, kind="stable"))
 
@@ -118,7 +116,7 @@ def test_each_bin_has_its_items_in_their_order(impl, rng):
 @exercise("17.4")
 def test_no_items_fill_no_bins(impl):
     """The last bin, or the first item, is taken for granted."""
-    start, item = is_a_pair(impl.bins(np.zeros(0, int), 3))
+    start, item = two(impl.bins(np.zeros(0, int), 3))
     assert_equal((start, item.shape), (np.zeros(4), (0,)))
 
 
@@ -133,7 +131,7 @@ def test_a_box_in_one_tile_is_in_its_list(impl, rng):
     """Rows and columns of tiles are exchanged. Coordinates are not divided by a tile's size."""
     row, column = rng.permutation(3)[:2].tolist()
     low = 8 * np.array([column, row]) + rng.integers(0, 4, 2)
-    start, item = is_a_pair(impl.tile_lists(np.array([[*low, *low + 4]]), 8, 4, 3))
+    start, item = two(impl.tile_lists(np.array([[*low, *low + 4]]), 8, 4, 3))
     assert_equal(start, (np.arange(13) > 4 * row + column).astype(int))
     assert_equal(item, np.array([0]))
 
@@ -144,7 +142,7 @@ def test_tiles_on_paper(impl):
     corners have it, or the one where it begins. The lists hold numbers of pairs, and not of faces.
     """
     boxes = np.array([[1, 1, 3, 2], [0, 0, 4, 4], [3, 3, 5, 5], [8, 1, 12, 7], [5, 0, 12, 8]])
-    start, item = is_a_pair(impl.tile_lists(boxes, 4, 3, 2))
+    start, item = two(impl.tile_lists(boxes, 4, 3, 2))
     assert_equal(start, np.array([0, 3, 5, 7, 8, 10, 12]))
     assert_equal(item, np.array([0, 1, 2, 2, 4, 3, 4, 2, 2, 4, 3, 4]))
 
@@ -153,7 +151,7 @@ def test_tiles_on_paper(impl):
 def test_each_tile_has_the_faces_that_share_a_pixel_with_it(impl, rng):
     """A face is in a list twice, or missing there; or a tile's faces are not in their order."""
     boxes, size, across, down = boxes_of(rng), 5, 5, 3
-    start, item = is_a_pair(impl.tile_lists(boxes, size, across, down))
+    start, item = two(impl.tile_lists(boxes, size, across, down))
     assert_equal(np.shape(start), (across * down + 1,))
     for tile in range(across * down):
         row, column = divmod(tile, across)

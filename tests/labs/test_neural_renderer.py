@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from labkit.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
+from labkit.checks import assert_close, assert_equal, assert_picture, exercise, parts
 
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 
@@ -11,13 +11,6 @@ def inverse_of(screen):
     """M^-1 by NumPy: screen (..., 3, 2)."""
     ones = np.ones((*screen.shape[:-1], 1))
     return np.linalg.inv(np.swapaxes(np.concatenate([screen, ones], -1), -1, -2))
-
-
-def outputs(returned, *names):
-    """What was returned, an output for each name. Mismatch: it is another number of outputs."""
-    if not isinstance(returned, tuple) or len(returned) != len(names):
-        raise Mismatch(("wrong", f"{len(names)} outputs are expected: {', '.join(names)}"))
-    return returned
 
 
 def random_triangles(rng, *shape):
@@ -130,7 +123,7 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     """
     returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
                                                       inverse_of(RIGHT), Z, *AT)
-    _, grad_z = outputs(returned, "grad_inverse", "grad_z")
+    _, grad_z = parts(returned, "grad_inverse", "grad_z")
     assert_close(grad_z, [8.0, 1.0, 2.0])
 
 
@@ -141,7 +134,7 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
     """
     returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
                                                       inverse_of(RIGHT), Z, *AT)
-    grad_inverse, _ = outputs(returned, "grad_inverse", "grad_z")
+    grad_inverse, _ = parts(returned, "grad_inverse", "grad_z")
     # By w it is -8 depth^2 / z = (-32, -8, -16), less its mean by the weights, -16.
     assert_close(grad_inverse, [[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
 
@@ -211,24 +204,22 @@ def corners_of_screen(screen, z, width, height):
 
 def maps(returned):
     """face_index, weight, depth of what was returned."""
-    return outputs(returned, "face_index", "weight", "depth")
+    return parts(returned, "face_index", "weight", "depth")
 
 
 def maps_by_search(corners, width, height, near, far):
     """Each pixel asks each face, with NumPy's inverse."""
-    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
-    weight = np.zeros((height, width, 3))
-    screen = (corners[..., :2] + 1) * [width / 2, height / 2]
-    areas = [np.linalg.det(np.column_stack([face, np.ones(3)])) for face in screen]
-    for i, j in np.ndindex(height, width):
-        for f in range(len(corners)):
-            if areas[f] <= 0 or corners[f, :, 2].min() < 0:
-                continue
-            c = inverse_of(screen[f]) @ [j + 0.5, i + 0.5, 1]
-            d = 1 / (c / corners[f, :, 2]).sum() if (c >= 0).all() else np.inf
-            if near < d < far and d < depth[i, j]:
-                face_index[i, j], weight[i, j], depth[i, j] = f, c, d
-    return face_index, weight, depth
+    inverse = inverse_of((corners[..., :2] + 1) * [width / 2, height / 2])
+    y, x = np.indices((height, width)) + 0.5
+    c = np.einsum("fkl,lij->fijk", inverse, [x, y, 1 + 0 * x])
+    z = corners[:, None, None, :, 2]
+    d = 1 / (c / z).sum(-1)
+    front = (np.linalg.det(inverse) > 0)[:, None, None]
+    d[~(front & ((c >= 0) & (z >= 0)).all(-1) & (near < d) & (d < far))] = np.inf
+    face_index, depth = d.argmin(0), d.min(0)
+    seen = depth < np.inf
+    weight = np.take_along_axis(c, face_index[None, ..., None], 0)[0]
+    return np.where(seen, face_index, -1), np.where(seen[..., None], weight, 0), depth
 
 
 @exercise("10.3")

@@ -7,6 +7,7 @@ from edges_in_space import (
     EDGES,
     LEFT,
     as_pairs,
+    begun,
     in_space,
     opposite_corners,
     pairs_around,
@@ -153,19 +154,9 @@ def walkers(rng, screen, faces, count, width=7):
 def walked(impl, owner, other, face, screen, faces, opposite, silhouette, width, goal=-1):
     """`walk` from the edges by which the lines leave the first faces, found in space, to a goal
     that is nowhere."""
-    first = [begun(*one, screen, faces, width) for one in zip(owner, other, face, strict=True)]
-    pairs = impl.Pairs(*(np.array(field).T for field in zip(*first, strict=True)))
+    pairs = impl.Pairs(*begun(owner, other, face, screen, faces, width))
     goals = goal + np.zeros(len(owner), int)
     return as_pairs(impl, impl.walk(pairs, goals, screen, faces, opposite, silhouette, width))
-
-
-def begun(owner, other, face, screen, faces, width):
-    """A pair of `leave_faces`, found in space."""
-    points = in_space(owner, other, screen, width)[faces[face]]
-    edge, c = edges_in_space.last_crossing(points)
-    ends = list(EDGES[edge])
-    x, y = (points[ends, :2] / points[ends, 2:]).T
-    return owner, other, c, faces[face, ends], x, y, face, edge
 
 
 # The owner's centre is on face 1, and the line leaves faces 1 to 3 at 0.375, 0.75 and 1.25.
@@ -443,15 +434,11 @@ def around_a_triangle(impl, triangle, size):
     at = np.arange(size) + 0.5
     e = np.array([np.cross(corners[i], corners[j]) for i, j in EDGES])
     inside = np.all(e[:, :1, None] * at + (e[:, 1:2] * at + e[:, 2:])[..., None] > 0, 0)
-    found = []
-    for i, j in np.argwhere(inside):
-        for k, m in (i, j + 1), (i, j - 1), (i + 1, j), (i - 1, j):
-            if not inside[k, m]:
-                owner, other = i * size + j, k * size + m
-                found.append(begun(owner, other, 0, (*triangle.T, np.ones(3)),
-                                   np.array([[0, 1, 2]]), size))
-    return inside[..., None].astype(float), impl.Pairs(*(np.array(field).T for field in zip(
-        *found, strict=True)))
+    owner = np.flatnonzero(inside).repeat(4).reshape(-1, 4)
+    other = owner + [1, size, -1, -size]
+    out = ~inside.ravel()[other]
+    pairs = begun(owner[out], other[out], 0 * owner[out], corners.T, np.array([[0, 1, 2]]), size)
+    return inside[..., None].astype(float), impl.Pairs(*pairs)
 
 
 @exercise("8.15")

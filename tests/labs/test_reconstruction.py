@@ -201,16 +201,6 @@ def test_gradients_of_shading_are_central_differences(impl, rng, gradcheck):
     gradcheck(forward, impl.shade_backward, given, name="shade")
 
 
-def normals_of(vertices, faces):
-    """Eq. (4), face by face."""
-    m = np.zeros(vertices.shape)
-    for a, b, c in faces:
-        for corner in a, b, c:
-            m[corner] += np.cross(vertices[b] - vertices[a], vertices[c] - vertices[a])
-    length = np.linalg.norm(m, axis=1, keepdims=True)
-    return m / np.where(length > 0, length, 1)
-
-
 @exercise("16.4")
 def test_gradients_of_one_face_on_paper(impl):
     """The part along n, which only makes m longer, is not taken away, is added, or has m for n. It
@@ -287,7 +277,7 @@ def test_gradients_of_normals_are_central_differences(impl, rng, gradcheck):
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
     for some, name in (faces, "vertex normals"), (faces[:7], "open mesh"):
-        gradcheck(normals_of, impl.vertex_normals_backward, (vertices, some), name=name)
+        gradcheck(mesh.vertex_normals, impl.vertex_normals_backward, (vertices, some), name=name)
 
 
 # --- the losses --------------------------------------------------------------------------------
@@ -482,14 +472,9 @@ def test_large_distances_do_not_overflow(impl):
 
 def grid_laplacian(m):
     """(m^3, m^3), from the neighbours of each point."""
-    at = list(itertools.product(range(m), repeat=3))
-    matrix = np.zeros((m**3, m**3))
-    for i, p in enumerate(at):
-        for j, q in enumerate(at):
-            if sum(abs(a - b) for a, b in zip(p, q, strict=True)) == 1:
-                matrix[i, i] += 1
-                matrix[i, j] -= 1
-    return matrix
+    at = np.indices((m, m, m)).reshape(3, -1)
+    beside = (np.abs(at[:, :, None] - at[:, None]).sum(0) == 1).astype(float)
+    return np.diag(beside.sum(0)) - beside
 
 
 @exercise("16.8")

@@ -4,6 +4,7 @@ import itertools
 import math
 
 import numpy as np
+import subdivision_meshes
 from regularization_graphs import angle, dense, graph
 
 from course.given import mesh
@@ -326,18 +327,7 @@ def test_a_face_without_area_counts_for_nothing(impl):
 
 
 def matrix(entries, vertex_count):
-    """Rows, columns and values of entries as a full matrix."""
-    if len(entries) != 3:
-        raise AssertionError(f"{len(entries)} things came; rows, columns and values are expected, "
-                             "each (N,), and not a full matrix")
-    rows, columns, values = map(np.asarray, entries)
-    if (rows.dtype.kind, columns.dtype.kind) != ("i", "i"):
-        raise AssertionError(f"rows are {rows.dtype}, and columns {columns.dtype}; they must be "
-                             "integers")
-    assert_equal((rows.shape, columns.shape), (values.shape, values.shape))
-    full = np.zeros((vertex_count, vertex_count))
-    np.add.at(full, (rows, columns), values)
-    return full
+    return subdivision_meshes.dense(entries, (vertex_count, vertex_count))
 
 
 CORNER = np.array([[0, 2], [2, 3], [0, 3]]), np.array([5.0, 0.5, 2.0])  # edges, weights

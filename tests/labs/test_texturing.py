@@ -5,14 +5,6 @@ import numpy as np
 
 from labkit.checks import assert_close, assert_equal, exercise
 
-
-def weights_2d(uv, width, height):
-    """Eqs. (2) and (3): the weights (N, 4) of the 2 x 2 texels around each point."""
-    x, y = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
-    a, b = x - np.floor(x), y - np.floor(y)
-    return np.stack([(1 - b) * (1 - a), (1 - b) * a, b * (1 - a), b * a], -1)
-
-
 # --- one axis ----------------------------------------------------------------------------------
 
 @exercise("6.1")
@@ -188,7 +180,11 @@ def test_the_gradients_by_uv_are_central_differences(impl, rng, gradcheck):
     of the other's. Or arrays width and height (N,), one for each level, do not broadcast.
     """
     sizes = np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]), np.array([9, 3, 1] * 3)
-    gradcheck(weights_2d, impl.bilinear_backward, (rng.uniform(-1, 2, (9, 2)), *sizes),
+
+    def weights(*places):
+        return np.array([four_texels(*one, "clamp")[1] for one in zip(*places, strict=True)])
+
+    gradcheck(weights, impl.bilinear_backward, (rng.uniform(-1, 2, (9, 2)), *sizes),
               differentiable=[0], name="bilinear",
               decisions=lambda uv, width, height: (np.floor(uv[:, 0] * width - 0.5),
                                                    np.floor(uv[:, 1] * height - 0.5)))

@@ -7,9 +7,9 @@ from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_equal
 from reference import interpolation, neural_renderer, rasterization, scanline, transforms
+from tests.labs.test_neural_renderer import SLANTED, random_triangles
 
 WIDTH, HEIGHT = 23, 17
-SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 
 
 def teapot_clip():
@@ -89,8 +89,7 @@ def test_many_faces_are_told_by_their_turn(impl, rng):
     """Clockwise faces are drawn instead, x and y are swapped, coordinates of different faces are
     mixed, or a small face is taken for one without area.
     """
-    angle = rng.uniform(0, 2, (9, 1)) + rng.uniform(0, 1, (9, 3)) + [0.0, 2.0, 4.0]
-    screen = 3 * np.stack([np.cos(angle), np.sin(angle)], -1) + rng.uniform(-3, 9, (9, 1, 2))
+    screen = random_triangles(rng, 9)
     screen[4:] *= 1e-3
     flipped = rng.random(9) < 0.5
     screen[flipped] = screen[flipped][:, ::-1]

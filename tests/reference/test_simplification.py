@@ -9,7 +9,7 @@ from simplification_meshes import euler
 from course.given import distances, mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_close, assert_equal
-from reference import collapse_heap, simplification, subdivision
+from reference import collapse_heap, simplification, subdivision, transforms
 
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
 # libigl's qslim and VTK's quadric decimation. From benchmarks/simplification.py.
@@ -87,9 +87,7 @@ def test_no_face_of_a_turned_cube_loses_its_area():
     """On a flat part that is not along an axis, rounding decides whether a line is a face, or which
     pair is next: thousands are refused, and slivers are left."""
     vertices, faces = mesh.cube(1200)
-    x, y, z = np.array([1.0, 2.0, 3.0]) / np.sqrt(14)
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    turn = np.eye(3) + np.sin(1) * cross + (1 - np.cos(1)) * cross @ cross
+    turn = transforms.rotate(np.array([1.0, 2.0, 3.0]), 1.0)[:3, :3]
     for kind in np.float64, np.float32:
         turned = (vertices @ turn.T).astype(kind).astype(np.float64)
         points, left, refused = collapse_heap.simplify(turned, faces, 400)

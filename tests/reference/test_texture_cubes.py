@@ -8,6 +8,7 @@ from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import interpolation, neural_renderer, pipeline, texture_cubes
 from reference.sweep_gradient import sweep_backward
+from tests.labs.test_texturing import four_texels
 
 BACKGROUND = np.array([0.1, 0.2])
 
@@ -47,11 +48,8 @@ def test_a_photograph_is_baked_where_uv_say(rng):
     cube = texture_cubes.bake(image, uv, np.array([[0, 1, 2]]), 4)[0]
     assert cube.shape == (4, 4, 4, 3)
     for corner, texel in zip(uv, (cube[3, 0, 0], cube[0, 3, 0], cube[0, 0, 3]), strict=True):
-        x, y = corner * [16, 8] - 0.5
-        column, row = int(np.floor(x)), int(np.floor(y))
-        a, b = x - column, y - row
-        expected = ((1 - a) * (1 - b) * image[row, column] + a * (1 - b) * image[row, column + 1]
-                    + (1 - a) * b * image[row + 1, column] + a * b * image[row + 1, column + 1])
+        index, weight, _ = four_texels(corner, 16, 8, "clamp")
+        expected = weight @ image.reshape(-1, 3)[index.astype(int)]
         np.testing.assert_allclose(texel, expected, atol=1e-12)
 
 
