@@ -42,8 +42,7 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
         texels += mip.levels if how.is_made else []
         require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
-    looks = footprints(*pixels, len(levels), how)
-    seen = [places(*each, how) for each in zip(levels, looks, strict=True)]
+    seen = list(places_in_all(*pixels, levels, how))
     return Texture.apply(tex, *pixels, Reading(levels, seen, how), *stack)
 
 
@@ -225,11 +224,11 @@ def stacked(grads, like):
     return joined(grads, like)
 
 
-def footprints(uv, uv_da, bias, count, how):
-    """What the pixels that see each of count textures look at: lab 6's Footprint, or for compiled
-    cube maps its parts as they are.
+def places_in_all(uv, uv_da, bias, levels, how):
+    """The Places in each texture, of which these are the levels. Compiled cube maps take the parts
+    of a Footprint as they are.
     """
-    is_cube = how.sampler.boundary == "cube"
+    count, is_cube = len(levels), how.sampler.boundary == "cube"
     axes = 3 if is_cube else 2
     uv = array("uv", uv, f"n h w {axes}")
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
@@ -240,8 +239,8 @@ def footprints(uv, uv_da, bias, count, how):
         "uv_da", uv_da, f"{size} {2 * axes}").reshape(count, -1, axes, 2)
     bias = count * [None] if bias is None else array("mip_level_bias", bias, size).reshape(
         count, -1)
-    for each in zip(at, change, bias, strict=True):
-        yield each if is_cube and how.is_compiled else cleaned(*each)
+    for texture_levels, *look in zip(levels, at, change, bias, strict=True):
+        yield places(texture_levels, look if is_cube and how.is_compiled else cleaned(*look), how)
 
 
 def cleaned(at, change, bias):
