@@ -17,7 +17,7 @@ from course.given import inputs
 from course.given.compiled import each_band, kernel
 
 from . import compiled_pipeline, footprint_kernels, pair_kernels, pipeline, scanline
-from .compiled_pipeline import BAND, on_all_cores, parts
+from .compiled_pipeline import on_all_cores
 from .texel_kernels import constant
 
 
@@ -114,11 +114,10 @@ def weights_as_uv(count, first, epsilon):
     return np.eye(3, 2, -first), np.broadcast_to(np.arange(3), (count, 3)), epsilon
 
 
-def runs_of(picture):
-    """The runs of a Picture that see a face, in bands, each numbered by its first pixel."""
-    runs = footprint_kernels.seen_runs(picture)
-    return [(footprint_kernels.Runs(runs.start[i:j], runs.end[i:j], runs.start[i:j]),)
-            for i, j in parts(len(runs.start), 1 + len(picture.face_index) // BAND)]
+def runs_of(face_index):
+    """The runs of a picture (H, W) in bands, each numbered by its first pixel."""
+    return [(runs._replace(number=runs.start),)
+            for runs, in footprint_kernels.runs_in_bands(face_index)]
 
 
 def draw_pixels(clip, faces, first, beyond, rast, rast_db):
@@ -137,7 +136,7 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     pixels, changes = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
     picture = footprint_kernels.flat(face_index)
     list(each_band(lambda runs: footprint_kernels.footprints_along(runs, picture, mesh, pixels,
-                                                                   changes), runs_of(picture)))
+                                                                   changes), runs_of(face_index)))
     pack(picture.face_index, depth.ravel(), first, pixels)
     return face_index, depth
 
@@ -149,7 +148,7 @@ def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsil
     grads = (np.zeros((face_index.size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
              for grad in (grad_rast, grad_rast_db))
     picture = footprint_kernels.flat(face_index)
-    return footprint_kernels.gradients(*grads, picture, mesh, runs_of(picture))[1]
+    return footprint_kernels.gradients(*grads, picture, mesh, runs_of(face_index))[1]
 
 
 def unpacked(rast):

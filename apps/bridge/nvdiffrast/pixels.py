@@ -177,8 +177,7 @@ def faces_of(rast):
     numbers = np.ascontiguousarray(rast[..., 3])
     if rast.dtype == np.float32 and not numbers.max() <= EXACT:
         numbers = np.where(numbers <= EXACT, numbers, numbers.view(np.int32) - float(CODE))
-    face_index = numbers.astype(np.int32) - np.int32(1)
-    return face_index
+    return numbers.astype(np.int32) - np.int32(1)
 
 
 def seen_in(rast, count, kernels):

@@ -4,13 +4,10 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from scipy.sparse import sparray
-from torch.utils.weak import WeakTensorKeyDictionary
 
 from apps.bridge import tensors
 from apps.bridge.tensors import array, joined, require
 from course.given import arrays
-
-KEPT = WeakTensorKeyDictionary()  # uv -> what `kept_places` keeps of it
 
 
 class MipStack(NamedTuple):
@@ -45,8 +42,8 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
         texels += mip.levels if how.is_made else []
         require_halves([level.shape for level in texels], is_cube)
     levels = list(zip(*texels, strict=True))
-    return Texture.apply(tex, *pixels, Reading(levels, kept_places(pixels, levels, how), how),
-                         *stack)
+    seen = list(places_in_all(*pixels, levels, how))
+    return Texture.apply(tex, *pixels, Reading(levels, seen, how), *stack)
 
 
 def require_boundary(boundary_mode):
@@ -138,26 +135,10 @@ class Reading(NamedTuple):
     how: How
 
 
-def kept_places(pixels, levels, how):
-    """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
-    at the same places. PyTorch does not tell of all changes, so numbers are compared.
-    """
-    array("uv", pixels[0], f"n h w {3 if how.sampler.boundary == 'cube' else 2}")
-    looks = footprints(*pixels, len(levels), how)
-    if how.is_compiled:
-        return [Places(look, None, None) for look in looks]
-    key = (how, len(levels), [level.shape for level in levels[0]],
-           [part is None for part in pixels])
-    now = [part.detach() for part in pixels if part is not None]
-    kept_key, before, found = KEPT.get(pixels[0], (None, None, None))
-    if kept_key != key or not all(map(torch.equal, before, now)):
-        found = [places(*each, how) for each in zip(levels, looks, strict=True)]
-        KEPT[pixels[0]] = key, [part.clone() for part in now], found
-    return found
-
-
 def places(levels, footprint, how):
     """The Places of a Footprint in a texture of these levels."""
+    if how.is_compiled:
+        return Places(footprint, None, None)
     labs, sampler = tensors.labs, how.sampler
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
@@ -243,23 +224,23 @@ def stacked(grads, like):
     return joined(grads, like)
 
 
-def footprints(uv, uv_da, bias, count, how):
-    """What the pixels that see each of count textures look at: lab 6's Footprint, or for compiled
-    cube maps its parts as they are.
+def places_in_all(uv, uv_da, bias, levels, how):
+    """The Places in each texture, of which these are the levels. Compiled cube maps take the parts
+    of a Footprint as they are.
     """
-    is_cube = how.sampler.boundary == "cube"
+    count, is_cube = len(levels), how.sampler.boundary == "cube"
     axes = 3 if is_cube else 2
+    uv = array("uv", uv, f"n h w {axes}")
     require(count in (1, len(uv)), f"tex must have 1 or {len(uv)} textures, as many as uv has "
             f"pictures; it has {count}")
-    n, height, width = uv.shape[:3]
-    size = f"{n} {height} {width}"
-    at = array("uv", uv, f"{size} {axes}").reshape(count, -1, axes)
+    size = "{} {} {}".format(*uv.shape[:3])
+    at = uv.reshape(count, -1, axes)
     change = count * [None] if uv_da is None else array(
         "uv_da", uv_da, f"{size} {2 * axes}").reshape(count, -1, axes, 2)
     bias = count * [None] if bias is None else array("mip_level_bias", bias, size).reshape(
         count, -1)
-    for each in zip(at, change, bias, strict=True):
-        yield each if is_cube and how.is_compiled else cleaned(*each)
+    for texture_levels, *look in zip(levels, at, change, bias, strict=True):
+        yield places(texture_levels, look if is_cube and how.is_compiled else cleaned(*look), how)
 
 
 def cleaned(at, change, bias):

@@ -257,6 +257,7 @@ def attributes(pos, tri, size, chosen):
     (lambda pos, tri, size: seen(pos, tri.long(), size), "tri must be of torch.int32, not"),
     (lambda pos, tri, size: seen(pos.mT.contiguous().mT, tri, size), "pos must be contiguous"),
     (lambda pos, tri, size: seen(pos[..., :3].contiguous(), tri, size), r"the shape \(n, v, 4\)"),
+    (lambda pos, tri, size: seen(pos[:0], tri, size), r"nothing of it empty; it has \(0, 6, 4\)"),
     (lambda pos, tri, size: seen(pos[0], tri, size), "or ranges must be given"),
     (lambda pos, tri, size: seen(pos.to("meta"), tri, size), "pos is on meta: this code works on"),
     *((lambda pos, tri, _, size=size: seen(pos, tri, size), r"\(height, width\), whole numbers")
@@ -316,16 +317,6 @@ def test_a_place_that_is_no_number_spoils_its_pixel_alone(odd, boundary):
     same = (found == expected)[0, ..., 0]
     assert same.sum() >= 6 and found.isfinite().sum() == (9 if boundary == "clamp" else 8)
     assert torch.autograd.grad(found[:, 1:].sum(), tex)[0].isfinite().all()
-
-
-def test_places_are_kept_beside_uv_and_not_in_it(tmp_path):
-    """A saved uv is many times as large, and no other program can load it."""
-    uv, tex = torch.rand(1, 8, 8, 2), torch.rand(1, 4, 4, 1)
-    colour = dr.texture(tex, uv)
-    torch.save(uv, tmp_path / "uv.pt")
-    assert torch.equal(torch.load(tmp_path / "uv.pt", weights_only=True), uv)
-    uv.zero_()
-    assert not torch.equal(dr.texture(tex, uv), colour)
 
 
 def test_the_first_derivative_may_have_a_graph():
