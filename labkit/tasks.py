@@ -25,6 +25,7 @@ import numpy as np
 
 from . import contract, places
 from .checks import loader
+from .checks.alarm import at_most
 from .checks.assertions import Mismatch
 from .checks.report import Check
 from .checks.showing import PACKAGE, layout
@@ -79,6 +80,15 @@ def run_here(task, text, returned):
     return names[scorer(task).FUNCTION](returned)
 
 
+def in_time(call, seconds):
+    """The call, stopped after these seconds of a processor, as where it is graded."""
+    def stopped(*given):
+        with at_most(seconds, TimeoutError(f"stopped after {seconds:g} s of a processor"), True):
+            return call(*given)
+
+    return stopped
+
+
 def in_numbers(returned):
     """As an array. Mismatch: it is none. It does not say what it is, which could be a message."""
     try:
@@ -127,10 +137,13 @@ def check(task, implementation, seed) -> int:
     with loader.package(code):
         topic, name = one.COUNTED or (task, one.FUNCTION)
         (function, calls), began = loaded(code, task, topic, name), time.process_time()
-        entry = judged(task, task, one.POINTS, functools.partial(contract.called, function),
-                       functools.partial(run_here, task), seed, json.loads(kept.read_bytes()))
+        call, run = (in_time(functools.partial(*given), one.SECONDS) for given in (
+            (contract.called, function.__wrapped__), (run_here, task)))  # not by the clock
+        entry = judged(task, task, one.POINTS, call, run, seed, json.loads(kept.read_bytes()))
         seconds = time.process_time() - began
     print(*(f"{each.verdict:7} {each.claim}: {each.message}" for each in entry.checks), sep="\n")
     print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "
           f"{one.ALL_SECONDS:g} s, and {len(calls)} calls of {topic}.{name}: see tasks/{task}.md.")
-    return int(entry.verdict != "done")
+    if late := seconds > one.ALL_SECONDS:
+        print("That is too long. Where it is graded, what comes later is no answer.")
+    return int(late or entry.verdict != "done")

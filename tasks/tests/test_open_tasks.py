@@ -141,6 +141,15 @@ def test_at_home_a_file_without_the_function_is_told_in_a_sentence(tmp_path, mon
         tasks.check("honest_edge", str(tmp_path), 0)
 
 
+def test_at_home_a_call_that_never_ends_is_stopped(tmp_path, monkeypatch, capsys):
+    """It hangs, or what is right is stopped on a busy machine."""
+    monkeypatch.setattr(places, "OUT", str(tmp_path))
+    monkeypatch.setattr(break_it, "SECONDS", 0.02)
+    (tmp_path / "break_it.py").write_text("def cases():\n    while True:\n        pass")
+    assert tasks.check("break_it", str(tmp_path), 0) == 1
+    assert "stopped after 0.02 s of a processor" in capsys.readouterr().out
+
+
 def test_the_truth_is_too_slow_to_hand_in(monkeypatch):
     """Who copies the scorer has all points."""
     monkeypatch.setattr(honest_edge, "ALL_SECONDS", honest_edge.ALL_SECONDS / 20)
