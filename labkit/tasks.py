@@ -8,9 +8,9 @@ A task is a module tasks/NAME.py with
     trials(seed)          [(name, arguments)] of all calls
     expected(seed)        what an answer is compared with: lists and numbers, one for each trial
     claims(trials, expected, answers)    [(claim, whether it holds, why)]
-    TRIES_IT              whether what the function returns is tried: it is called once, with nothing,
-                          and a trial's one argument is the text of a module of ours, whose
-                          function of that name gets what was returned
+    TRIES_IT              whether what the function returns is tried: it is called once, with
+                          nothing, and a trial's one argument is the text of a module of ours,
+                          whose function of that name gets what was returned
 
 An answer is an array of numbers, or None where a call returned none. The score is the share of the
 claims that hold.

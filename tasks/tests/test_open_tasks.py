@@ -201,7 +201,7 @@ def test_who_accuses_a_right_tape_finds_no_fault(monkeypatch, returned, why):
 @pytest.mark.parametrize("found", [None, [], [("exec", (), 0)], [("backward", ())], [0.0] * 101])
 def test_what_is_no_case_is_told_in_a_sentence(found):
     """A traceback at home, of a tape that is none of the student's."""
-    with pytest.raises(ValueError, match="return a list of 1 to 100|a case is"):
+    with pytest.raises(ValueError, match=r"return a list of 1 to 100|a case is"):
         break_it.cases(found)
 
 

@@ -36,12 +36,12 @@ def opposite_corners(faces):
         if len(set(faces[f])) == 3:
             at_edge = thirds.setdefault(frozenset(faces[f]) - {vertex}, {})
             at_edge.setdefault(vertex, 3 * f + k)
-    opposite = np.full(faces.shape, -1)
+    found = np.full(faces.shape, -1)
     for (f, k), vertex in np.ndenumerate(faces):
         first_two = [*thirds.get(frozenset(faces[f]) - {vertex}, {}).items()][:2]
         if vertex in dict(first_two):
-            opposite[f, k] = next((corner for v, corner in first_two if v != vertex), -1)
-    return opposite
+            found[f, k] = next((corner for v, corner in first_two if v != vertex), -1)
+    return found
 
 
 def last_crossing(corners):
