@@ -59,7 +59,8 @@ def records(name, page):
     for anchor, title, words in parts[1:]:
         if anchor.startswith("exercise-"):
             title = f"Exercise {title}"
-        if anchor not in asked:  # it is found on its lab's page
+        # An exercise is found on its lab's page, what a lecture cites in the bibliography.
+        if anchor not in asked and title != "Sources and further reading":
             yield [f"{name}.html#{anchor}", title, place, shown(words)]
 
 

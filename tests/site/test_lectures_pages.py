@@ -118,7 +118,7 @@ def test_without_scripts_there_are_all_pictures_and_nothing_else(name, new_page,
     page.goto(f"{address}/lectures/{name}.html")
     assert page.locator("article :is(button, input, canvas), .answers:visible").count() == 0
     stills = page.locator("figure.animation img")
-    assert stills.and_(page.locator(":visible")).count() == stills.count() > 1
+    assert stills.and_(page.locator(":visible")).count() == stills.count() > 0
 
 
 def test_the_words_of_a_button_are_its_name(page, address):
