@@ -14,7 +14,6 @@ from labkit.upkeep import errata, hours, notebooks, pictures
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
-MOST_MINUTES = 40
 FOLDED = "# figure:", "# opening:"                 # how cells begin that only draw
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 WORDING = {                                        # what was translated, and what to write
@@ -58,10 +57,11 @@ def test_links_lead_somewhere(path):
 
 @each_lecture
 def test_a_lecture_has_all_its_parts(path):
-    """No word on what comes of it, no algorithm at a glance, no sources."""
+    """No word on what comes of it, no algorithm at a glance, no guess, no sources."""
     text = text_of(path)
     if path in map(exercises.lecture, exercises.TOPICS):  # no page after a lecture
         assert text.count("**What you will have built.**") == 1
+        assert "**Guess first.** " in text
         assert "```text\n" in text
     titles = re.findall(r"^## (.*)", text, re.MULTILINE)
     assert titles[-3:] == ["Summary", "On paper", "Sources and further reading"]
@@ -99,7 +99,7 @@ def test_a_lecture_takes_40_minutes_at_most(path):
     lines = [line for code in exercises.cells(path, "code") for line in code.splitlines()
              if line.strip() and not code.startswith(("# live", *FOLDED))]
     minutes = len(words.split()) / 180 + figures / 3 + text.count("$$") / 4 + len(lines) / 15
-    assert minutes <= MOST_MINUTES
+    assert minutes <= 40
 
 
 @each_lab
