@@ -75,9 +75,13 @@ def followed(met, clip, faces, opposite, shape):
     return some(met, is_met)
 
 
+def none_meet(pairs, clip):
+    """Are the ends of all Pairs vertices of the mesh?"""
+    return np.max(pairs.ends, initial=-1) < len(clip)
+
+
 def meetings(pairs, clip):
     """Those of the Pairs where surfaces meet. IndexError: their ends are not numbered."""
-    pairs = Pairs(*pairs)
     met = some(pairs, pairs.ends[0] >= len(clip))
     if not np.array_equal(np.sort(met.ends, None), numbers(met, clip).ravel()):
         raise IndexError("pairs name vertices that are not there: give the Buffers of this picture")
@@ -118,9 +122,9 @@ def out_of_frame(met, x, y, width):
 
 def points(pairs, shape, clip, faces):
     """clip (V, 4), followed by the ends of the lines where surfaces meet, which the Pairs name."""
-    met, (height, width) = meetings(pairs, clip), shape
-    if len(met.c) == 0:
+    if none_meet(pairs, clip):
         return clip
+    met, (height, width) = meetings(pairs, clip), shape
     d_0, d_x, d_y = gap(met, clip, faces, shape)
     y = np.array([[-0.5], [0.5]])
     x, y = out_of_frame(met, -(d_0 + d_y * y) / d_x, y, width)
@@ -132,9 +136,9 @@ def points(pairs, shape, clip, faces):
 
 def points_backward(grad_points, pairs, shape, clip, faces):
     """Backward of `points`, as far as it moves c: grad_points (V + 2 N, 4) -> grad_clip (V, 4)."""
-    met, (height, width) = meetings(pairs, clip), shape
-    if len(met.c) == 0:
+    if none_meet(pairs, clip):
         return grad_points
+    met, (height, width) = meetings(pairs, clip), shape
     # c is the mean of both ends' x, so both move along the pair by dc, however the line leans.
     grad = grad_points[met.ends].sum(0)
     dx, dy = pair_step(met.owner, met.other, width)
