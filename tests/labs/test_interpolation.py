@@ -184,25 +184,25 @@ def one_face(w, width, height):
 
 
 def faces_in_sight(rng, signs=(1,)):
-    """face_index (5, 7), clip, faces; the point that each pixel sees: b (5, 7, 3), and w (5, 7).
+    """face_index (5, 7), clip, faces. Of the point that each pixel sees, b (5, 7, 3) and w (5, 7),
+    and how far from its ray the three corners are, x and y times their w (5, 7, 2, 3).
 
     b is drawn, and so is the face, but for x and y of its last corner, which are found for b. Where
     no face is seen, b and w are 0. No corner is near the camera plane, nor a face thin.
     """
     b, w = rng.uniform(0.2, 1, (35, 3)), rng.uniform(0.5, 2, (35, 3)) * rng.choice(signs, (35, 3))
     b /= b.sum(1, keepdims=True)
-    x, y = rng.uniform(1, 2, (2, 35, 3)) * rng.choice([-1, 1], (2, 35, 1))  # from the pixel's ray
-    y[:, 0] *= -1
-    for at in x, y:
-        at[:, 2] = -(b * at)[:, :2].sum(1) / b[:, 2]
-    i, j = np.indices((5, 7)).reshape(2, 35, 1)
-    clip = np.stack([x + w * ((2 * j + 1) / 7 - 1), y + w * ((2 * i + 1) / 5 - 1), 0 * w, w], -1)
-    face_index, order = rng.permutation(35), rng.permutation(105)  # in no order
+    away = rng.uniform(1, 2, (35, 2, 3)) * rng.choice([-1, 1], (35, 2, 1))
+    away[:, 1, 0] *= -1
+    away[:, :, 2] = -(b[:, None] * away)[..., :2].sum(2) / b[:, 2:]
+    row, column = np.indices((5, 7)).reshape(2, 35, 1)
+    x, y = away[:, 0] + w * ((2 * column + 1) / 7 - 1), away[:, 1] + w * ((2 * row + 1) / 5 - 1)
+    face_index, order = rng.permutation(35), rng.permutation(105)
     faces = order.argsort().reshape(35, 3)[face_index.argsort()]
     face_index[rng.random(35) < 0.3] = -1
     b[face_index < 0] = 0.0
-    return (face_index.reshape(5, 7), clip.reshape(-1, 4)[order], faces, b.reshape(5, 7, 3),
-            (b * w).sum(1).reshape(5, 7))
+    return (face_index.reshape(5, 7), np.stack([x, y, 0 * w, w], -1).reshape(-1, 4)[order], faces,
+            b.reshape(5, 7, 3), (b * w).sum(1).reshape(5, 7), away.reshape(5, 7, 2, 3))
 
 
 SOME = np.full((5, 8), -1)  # four pixels of a picture see the face
@@ -225,7 +225,7 @@ def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
 @exercise("5.6")
 def test_a_pixel_sees_the_point_of_its_face_on_its_ray(impl, rng):
     """Pixels, faces or corners are mixed up, or the weights do not sum to 1."""
-    face_index, clip, faces, b, _ = faces_in_sight(rng)
+    face_index, clip, faces, b, *_ = faces_in_sight(rng)
     got, seen = impl.barycentrics(face_index, clip, faces), face_index >= 0
     assert_close(got[seen], b[seen], rtol=1e-6, atol=1e-9)
 
@@ -243,7 +243,7 @@ def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
 @exercise("5.6", fine_print=True)
 def test_weights_are_right_behind_the_camera(impl, rng):
     """|w| divides, or weights are made positive."""
-    face_index, clip, faces, b, _ = faces_in_sight(rng, (1, 1, -1))
+    face_index, clip, faces, b, *_ = faces_in_sight(rng, (1, 1, -1))
     assert_close(impl.barycentrics(face_index, clip, faces), b, rtol=1e-6, atol=1e-9)
 
 
@@ -554,13 +554,9 @@ def test_the_derivatives_are_right_behind_the_camera(impl, rng):
     check_steps(impl, *faces_in_sight(rng, (1, 1, -1)))
 
 
-def check_steps(impl, face_index, clip, faces, _, depth):
+def check_steps(impl, face_index, clip, faces, _, w, away):
     """A step of a pixel takes the point of the face as far to the side as the ray goes: so many of
     ndc, times its w.
     """
     db = impl.barycentrics_derivatives(face_index, clip, faces)
-    i, j = np.indices((5, 7))[..., None]
-    x, y, _, w = np.moveaxis(clip[faces[face_index]], -1, 0)
-    from_ray = np.stack([x - w * ((2 * j + 1) / 7 - 1), y - w * ((2 * i + 1) / 5 - 1)], 2)
-    assert_close(from_ray @ db, depth[..., None, None] * np.diag([2 / 7, 2 / 5]), rtol=1e-6,
-                 atol=1e-9)
+    assert_close(away @ db, w[..., None, None] * np.diag([2 / 7, 2 / 5]), rtol=1e-6, atol=1e-9)
