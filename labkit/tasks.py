@@ -80,11 +80,26 @@ def run_here(task, text, returned):
     return names[scorer(task).FUNCTION](returned)
 
 
-def in_time(call, seconds):
-    """The call, stopped after these seconds of a processor, as where it is graded."""
+class Ended(BaseException):
+    """A call takes too long. What it calls may catch all errors, and would go on after one."""
+
+
+def in_time(call, one):
+    """The call, stopped after so many seconds of a processor as its scorer, one, says of a call or
+    leaves of all, and after five times as many on the clock.
+    """
+    began = time.process_time(), time.monotonic() / 5
+
     def stopped(*given):
-        with at_most(seconds, TimeoutError(f"stopped after {seconds:g} s of a processor"), True):
-            return call(*given)
+        spent = time.process_time() - began[0], time.monotonic() / 5 - began[1]
+        if (seconds := min(one.SECONDS, one.ALL_SECONDS - max(spent))) <= 0:
+            raise TimeoutError(f"the {one.ALL_SECONDS:g} s for all are used up")
+        try:
+            with at_most(seconds, Ended, True), at_most(5 * seconds, Ended):
+                return call(*given)
+        except Ended:
+            raise TimeoutError(f"stopped after {seconds:.2g} s of a processor, or "
+                               f"{5 * seconds:.2g} s on the clock") from None
 
     return stopped
 
@@ -137,13 +152,11 @@ def check(task, implementation, seed) -> int:
     with loader.package(code):
         topic, name = one.COUNTED or (task, one.FUNCTION)
         (function, calls), began = loaded(code, task, topic, name), time.process_time()
-        call, run = (in_time(functools.partial(*given), one.SECONDS) for given in (
-            (contract.called, function.__wrapped__), (run_here, task)))  # not by the clock
+        call, run = (in_time(functools.partial(*given), one) for given in (
+            (contract.called, function.__wrapped__), (run_here, task)))
         entry = judged(task, task, one.POINTS, call, run, seed, json.loads(kept.read_bytes()))
         seconds = time.process_time() - began
     print(*(f"{each.verdict:7} {each.claim}: {each.message}" for each in entry.checks), sep="\n")
     print(f"{task}: {entry.told_points(entry.reached)}. It took {seconds:.1f} of "
           f"{one.ALL_SECONDS:g} s, and {len(calls)} calls of {topic}.{name}: see tasks/{task}.md.")
-    if late := seconds > one.ALL_SECONDS:
-        print("That is too long. Where it is graded, what comes later is no answer.")
-    return int(late or entry.verdict != "done")
+    return int(entry.verdict != "done")

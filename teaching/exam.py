@@ -44,6 +44,7 @@ def late(rng):
     matrix = labs.vertex_gradients.vertex_matrix(np.array([[0, 0], [right, 0], [0, up]]))
     weights, to_matrix, to_pixel, _ = labs.vertex_gradients.residual_backward(
         1.0, values, matrix, np.ones(3), 0.0)
+    fast = np.hypot(*to_pixel[:2])
     ends = rng.choice([0.0, 0.1, 0.6, 0.7]) + [0, 0.2], rng.integers(3, 9, 2) * [0.1, -0.1]
     (x_0, x_1), (y_0, y_1) = ends
     c = labs.antialiasing.crossing(x_0, y_0, x_1, y_1)

@@ -30,14 +30,19 @@ def write(folder, extra, python):
 
 
 def summary(course, lab):
-    """What is built in a lab, and how long it takes: README.md knows."""
-    readme = exercises.read(places.ROOT / "README.md")
-    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme, re.M).groups()
+    """What is built in a lab, what one can do afterwards, and how long it takes: the tables in
+    README.md and in teaching/ know.
+    """
+    row = rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$"
+    (built, hours), (able, _) = (re.search(row, exercises.read(places.ROOT / page), re.M).groups()
+                                 for page in ("README.md", "teaching/README.md"))
     found = course.lectures[lab].asked.values()
     core = [exercise for exercise in found if kind(exercise) == "core"]
-    return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
-            f"exercises ({points(sum(exercise.points for exercise in core))}) and "
+    return (f"What you build: {escape(built)}. Afterwards you can {escape(able)}. About {hours} "
+            f"hours with the lecture: {len(core)} exercises "
+            f"({points(sum(exercise.points for exercise in core))}) and "
             f"{sum(exercise.is_extra for exercise in found)} extras.\n")
+
 
 
 def index(course):

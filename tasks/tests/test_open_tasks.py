@@ -150,6 +150,21 @@ def test_at_home_a_call_that_never_ends_is_stopped(tmp_path, monkeypatch, capsys
     assert "stopped after 0.02 s of a processor" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("wait", ["while True: pass", "time.sleep(9)"])
+def test_at_home_all_calls_together_are_stopped(monkeypatch, wait):
+    """Of two that never end, one catches the error that stops it, and the other one goes on. What
+    sleeps takes no processor's time.
+    """
+    monkeypatch.setattr(break_it, "SECONDS", 0.05)
+    monkeypatch.setattr(break_it, "ALL_SECONDS", 0.12)
+    text = f"import time\ndef cases(found):\n  try:\n    {wait}\n  except Exception: pass"
+    call, said = tasks.in_time(functools.partial(tasks.run_here, "break_it", text), break_it), []
+    for _ in range(4):
+        with tasks.noted(said):
+            call([])
+    assert ["are used up" in one for one in said] == [False, False, False, True]
+
+
 def test_the_truth_is_too_slow_to_hand_in(monkeypatch):
     """Who copies the scorer has all points."""
     monkeypatch.setattr(honest_edge, "ALL_SECONDS", honest_edge.ALL_SECONDS / 20)

@@ -1,5 +1,4 @@
 """What the exercises of lab 5 must do."""
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -22,37 +21,21 @@ ATTRIBUTES = np.array([[8.0, 1.0], [4.0, -2.0], [10.0, 3.0], [16.0, -1.0], [-8.0
                        [99.0, 97.0]])
 
 
-def buffers(rng, channels, trailing=()):
-    """attributes, faces, face_index and weights of a picture 7 high and 5 wide, some of it empty.
+def chosen_picture(rng, channels):
+    """(attributes, faces, face_index, weights) of a picture 7 high and 5 wide, some of it empty,
+    and the picture (7, 5, channels).
 
-    Weights stand at empty pixels, too. Faces repeat a vertex here and there.
+    The picture is drawn, and the weights are found for it, so nothing here says how to mix. Weights
+    stand at empty pixels, too.
     """
-    faces = rng.integers(0, 11, (13, 3))
+    faces = 3 * rng.integers(0, 4, (13, 3)) + rng.permuted([[0, 1, 2]] * 13, axis=1)
     face_index = np.maximum(rng.integers(-4, 12, (7, 5)), -1)
-    weights = rng.normal(size=(7, 5, 3, *trailing))
-    return rng.normal(size=(11, channels)), faces, face_index, weights
-
-
-def mixed(attributes, faces, face_index, weights):
-    """Eq. (5), from its definition. weights (H, W, 3) or, of derivatives, (H, W, 3, 2)."""
-    output = np.zeros((*face_index.shape, attributes.shape[1], *weights.shape[3:]))
-    for i, j in np.ndindex(face_index.shape):
-        if face_index[i, j] >= 0:
-            corners = attributes[faces[face_index[i, j]]]
-            output[i, j] = np.tensordot(corners, weights[i, j], (0, 0))
-    return output
-
-
-def unmixed(grad_output, attributes, faces, face_index, weights):
-    """The gradients of `mixed` by attributes and weights, as the definition says."""
-    grad_attributes, grad_weights = np.zeros(attributes.shape), np.zeros(weights.shape)
-    for i, j in np.ndindex(face_index.shape):
-        for k in range(3 if face_index[i, j] >= 0 else 0):
-            vertex = faces[face_index[i, j], k]
-            grad_weights[i, j, k] = np.tensordot(attributes[vertex], grad_output[i, j], (0, 0))
-            grad_attributes[vertex] += (grad_output[i, j] * weights[i, j, k]).reshape(
-                attributes.shape[1], -1).sum(1)
-    return grad_attributes, grad_weights
+    three = 4 * np.tile(np.eye(3), (4, 1)) + rng.uniform(-1, 1, (12, 3))  # no face's is singular
+    more, picture = rng.normal(size=(3, channels)), rng.normal(size=(7, 5, 3))
+    corners = three[faces[face_index]].swapaxes(2, 3)
+    weights = np.linalg.solve(corners, picture[..., None])[..., 0]
+    picture[face_index < 0] = 0.0
+    return (three @ more, faces, face_index, weights), picture @ more
 
 
 def golden(scene):
@@ -159,14 +142,11 @@ def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
     """e is taken to have the sum 1, or to be positive: abs, or a guard against a small sum as in
     np.maximum, spoils negative weights. Or the sum runs over several pixels.
     """
-    e, w = rng.uniform(0.1, 1, (2, 4, 5, 3))
-    n = e / w
-    expected = n / (n[..., :1] + n[..., 1:2] + n[..., 2:])
-    assert_close(impl.barycentric_from_screen(e, w), expected)
-    for factor in 1e-9, -7.0:
-        got = [impl.barycentric_from_screen(factor * e, w),
-               impl.barycentric_from_screen(e, factor * w)]
-        assert_close(np.array(got), [expected, expected])
+    w, b = rng.uniform(0.1, 1, (4, 5, 3)), rng.dirichlet(np.ones(3), (4, 5))
+    for factor in 1.0, 1e-9, -7.0:
+        got = [impl.barycentric_from_screen(factor * b * w, w),
+               impl.barycentric_from_screen(b * w, factor * w)]
+        assert_close(np.array(got), [b, b])
 
 
 def matrix_and_edges(rng, count):
@@ -187,25 +167,12 @@ def matrix_and_edges(rng, count):
 def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
     """b is not M^-1 (x, y, 1) divided by its sum: the ray through the pixel meets another point."""
     m, sample, e, w = matrix_and_edges(rng, 60)
-    c = np.linalg.solve(m, sample[..., None])[..., 0]
     got = impl.barycentric_from_screen(e, w)
-    assert_close(got, c / c.sum(-1, keepdims=True), rtol=1e-6, atol=1e-6)
+    x, y, depth = (m @ got[..., None])[..., 0].T
+    assert_close(np.stack([x / depth, y / depth, got.sum(-1)], -1), sample, rtol=1e-6, atol=1e-6)
 
 
 # --- a picture's barycentrics -------------------------------------------------------------------
-
-def ray_weights(x, y, w, px, py):
-    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
-    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
-    return c / c.sum()
-
-
-def exact_weights(x, y, w, px, py):
-    """Eq. (3) without rounding: x, y, w, px, py are fractions."""
-    x, y = [k - px for k in x], [k - py for k in y]
-    c = [(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1)))]
-    return [float(k / sum(c)) for k in c]
-
 
 def one_face(w, width, height):
     """clip (3, 4) of a face with a corner at the centre of pixel 0, 0, and its legs 8 pixels long.
@@ -217,18 +184,25 @@ def one_face(w, width, height):
 
 
 def faces_in_sight(rng, signs=(1,)):
-    """face_index (5, 7), clip, faces and a list of i, j, the corners x, y, w (3,) of what is seen.
+    """face_index (5, 7), clip, faces. Of the point that each pixel sees, b (5, 7, 3) and w (5, 7),
+    and how far from its ray the three corners are, x and y times their w (5, 7, 2, 3).
 
-    No corner is near the camera plane, nor a face thin.
+    b is drawn, and so is the face, but for x and y of its last corner, which are found for b. Where
+    no face is seen, b and w are 0. No corner is near the camera plane, nor a face thin.
     """
-    x, y = rng.uniform(-1, 1, (2, 6, 3)) + np.array([[[0.0, 7.0, 2.0]], [[0.0, 1.0, 6.0]]])
-    w = rng.uniform(0.5, 2, (6, 3)) * rng.choice(signs, (6, 3))
-    clip = np.stack([(2 * x / 7 - 1) * w, (2 * y / 5 - 1) * w, 0 * w, w], -1).reshape(-1, 4)
-    order = rng.permutation(18)  # vertices are not in the order of the faces
-    face_index = rng.integers(-2, 6, (5, 7)).clip(-1)
-    seen = [(i, j, (x[face], y[face], w[face])) for (i, j), face in np.ndenumerate(face_index)
-            if face >= 0]
-    return face_index, clip[order], np.argsort(order).reshape(6, 3), seen
+    b, w = rng.uniform(0.2, 1, (35, 3)), rng.uniform(0.5, 2, (35, 3)) * rng.choice(signs, (35, 3))
+    b /= b.sum(1, keepdims=True)
+    away = rng.uniform(1, 2, (35, 2, 3)) * rng.choice([-1, 1], (35, 2, 1))
+    away[:, 1, 0] *= -1
+    away[:, :, 2] = -(b[:, None] * away)[..., :2].sum(2) / b[:, 2:]
+    row, column = np.indices((5, 7)).reshape(2, 35, 1)
+    x, y = away[:, 0] + w * ((2 * column + 1) / 7 - 1), away[:, 1] + w * ((2 * row + 1) / 5 - 1)
+    face_index, order = rng.permutation(35), rng.permutation(105)
+    faces = order.argsort().reshape(35, 3)[face_index.argsort()]
+    face_index[rng.random(35) < 0.3] = -1
+    b[face_index < 0] = 0.0
+    return (face_index.reshape(5, 7), np.stack([x, y, 0 * w, w], -1).reshape(-1, 4)[order], faces,
+            b.reshape(5, 7, 3), (b * w).sum(1).reshape(5, 7), away.reshape(5, 7, 2, 3))
 
 
 SOME = np.full((5, 8), -1)  # four pixels of a picture see the face
@@ -251,17 +225,15 @@ def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
 @exercise("5.6")
 def test_a_pixel_sees_the_point_of_its_face_on_its_ray(impl, rng):
     """Pixels, faces or corners are mixed up, or the weights do not sum to 1."""
-    face_index, clip, faces, seen = faces_in_sight(rng)
-    b = impl.barycentrics(face_index, clip, faces)
-    for i, j, _ in seen:
-        x, y, _, w = b[i, j] @ clip[faces[face_index[i, j]]]
-        assert_close([x / w, y / w, b[i, j].sum()], [(2 * j + 1) / 7 - 1, (2 * i + 1) / 5 - 1, 1.0])
+    face_index, clip, faces, b, *_ = faces_in_sight(rng)
+    got, seen = impl.barycentrics(face_index, clip, faces), face_index >= 0
+    assert_close(got[seen], b[seen], rtol=1e-6, atol=1e-9)
 
 
 @exercise("5.6")
 def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
     """-1 is used as an index, which puts the last face there; or the picture has another shape."""
-    face_index, clip, faces, _ = faces_in_sight(rng)
+    face_index, clip, faces, *_ = faces_in_sight(rng)
     b = impl.barycentrics(face_index, clip, faces)
     assert_equal(b.shape, (5, 7, 3))
     assert_equal(b[face_index < 0], np.zeros(((face_index < 0).sum(), 3)))
@@ -271,10 +243,8 @@ def test_where_no_face_is_seen_all_weights_are_zero(impl, rng):
 @exercise("5.6", fine_print=True)
 def test_weights_are_right_behind_the_camera(impl, rng):
     """|w| divides, or weights are made positive."""
-    face_index, clip, faces, seen = faces_in_sight(rng, (1, 1, -1))
-    b = impl.barycentrics(face_index, clip, faces)
-    for i, j, corners in seen:
-        assert_close(b[i, j], ray_weights(*corners, j + 0.5, i + 0.5), rtol=1e-6, atol=1e-9)
+    face_index, clip, faces, b, *_ = faces_in_sight(rng, (1, 1, -1))
+    assert_close(impl.barycentrics(face_index, clip, faces), b, rtol=1e-6, atol=1e-9)
 
 
 @exercise("5.6", fine_print=True)
@@ -282,16 +252,14 @@ def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
     """`edge_function` measures from a corner, and its rounding error is as large as the corner is
     far away. Measure from the sample, as the given `edge_functions_at` does.
     """
-    w = np.array([1.0, 3e-10, 3.0])
     clip = np.array([[-0.225, -0.7, 0, 1], [-1.1, 0.7, 0, 3e-10], [0.975, 2.775, 0, 3]])
-    x, y = (clip[:, 0] / w + 1) * 4, (clip[:, 1] / w + 1) * 4
     face_index = np.full((8, 8), -1)
     face_index[[6, 3, 3], [0, 1, 2]] = 0
-    corners = [[Fraction(float(number)) for number in row] for row in (x, y, w)]
     b = impl.barycentrics(face_index, clip, np.array([[0, 1, 2]]))
-    for i, j in (6, 0), (3, 1), (3, 2):
-        expected = exact_weights(*corners, Fraction(j + 0.5), Fraction(i + 0.5))
-        assert_close(b[i, j], expected, rtol=1e-9)
+    assert_close(b[[6, 3, 3], [0, 1, 2]], [  # eq. (3) in Python's fractions, without rounding
+        [0.355713199847303, 0.542690651189981, 0.101596148962716],
+        [0.626775721038477, 0.332759362915981, 0.0404649160455425],
+        [0.690934546722211, 0.235211760599422, 0.073853692678367]])
 
 
 # --- the quotient rule --------------------------------------------------------------------------
@@ -478,8 +446,8 @@ def test_any_number_of_attributes(impl, rng, channels):
     """Three channels only, or the weights are mixed with the channels. Or the weights are divided
     by their sum, or clipped: they are used as they are.
     """
-    given = buffers(rng, channels)
-    assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
+    given, picture = chosen_picture(rng, channels)
+    assert_picture(impl.interpolate(*given), picture, atol=1e-12)
 
 
 @exercise("5.8")
@@ -520,21 +488,21 @@ def test_an_empty_pixel_pulls_at_nothing(impl):
 @pytest.mark.parametrize("channels", [1, 3, 6])
 def test_every_channel_adds_to_the_weights(impl, rng, channels):
     """grad_barycentric is the mean of the channels, or of the first channel alone."""
-    given = rng.normal(size=(7, 5, channels)), *buffers(rng, channels)
-    assert_close(impl.interpolate_backward(*given)[1], unmixed(*given)[1])
+    given, picture = chosen_picture(rng, channels)
+    grad = rng.normal(size=picture.shape)
+    grad_weights = impl.interpolate_backward(grad, *given)[1]
+    # A picture is linear in its weights, so the product with them is that of both pictures.
+    assert_close((grad_weights * given[3]).sum(2), (grad * picture).sum(2))
 
 
 @exercise("5.11")
 def test_every_pixel_adds_to_its_vertices(impl, rng):
     """A vertex keeps the gradient of one pixel alone, or the weights are left out."""
-    given = rng.normal(size=(7, 5, 4)), *buffers(rng, 4)
-    assert_close(impl.interpolate_backward(*given)[0], unmixed(*given)[0])
-
-
-@exercise("5.11")
-def test_the_gradients_are_central_differences(impl, rng, gradcheck):
-    """The attributes of another corner."""
-    gradcheck(mixed, impl.interpolate_backward, buffers(rng, 4), name="interpolate")
+    (attributes, *where), picture = chosen_picture(rng, 4)
+    grad = rng.normal(size=picture.shape)
+    got = impl.interpolate_backward(grad, rng.normal(size=attributes.shape), *where)[0]
+    # It is linear in the attributes, too, and each channel with each other one tells.
+    assert_close(got.T @ attributes, np.einsum("ijc,ijd->cd", grad, picture))
 
 
 @exercise("5.11")
@@ -564,7 +532,7 @@ def test_the_weights_change_by_the_quotient_rule(impl):
 @exercise("5.9")
 def test_the_changes_of_the_weights_sum_to_zero(impl, rng):
     """The sum of the weights is 1, everywhere. Or the term of s has the wrong sign, or no b."""
-    face_index, clip, faces, _ = faces_in_sight(rng)
+    face_index, clip, faces, *_ = faces_in_sight(rng)
     db = impl.barycentrics_derivatives(face_index, clip, faces)
     assert_equal(db.shape, (5, 7, 3, 2))
     assert_equal(db[face_index < 0], np.zeros(((face_index < 0).sum(), 3, 2)))
@@ -573,24 +541,22 @@ def test_the_changes_of_the_weights_sum_to_zero(impl, rng):
 
 
 @exercise("5.9")
-def test_the_derivatives_are_central_differences(impl, rng):
+def test_a_pixel_to_the_side_sees_the_next_point_of_the_face(impl, rng):
     """Right only without perspective, or for one face. The steps are not of a pixel, as for a
     derivative by ndc.
     """
-    check_differences(impl, *faces_in_sight(rng))
+    check_steps(impl, *faces_in_sight(rng))
 
 
 @exercise("5.9", fine_print=True)
 def test_the_derivatives_are_right_behind_the_camera(impl, rng):
     """|w| divides."""
-    check_differences(impl, *faces_in_sight(rng, (1, 1, -1)))
+    check_steps(impl, *faces_in_sight(rng, (1, 1, -1)))
 
 
-def check_differences(impl, face_index, clip, faces, seen, h=1e-5):
-    """db/dx and db/dy at each pixel are differences of the weights of rays beside its centre."""
+def check_steps(impl, face_index, clip, faces, _, w, away):
+    """A step of a pixel takes the point of the face as far to the side as the ray goes: so many of
+    ndc, times its w.
+    """
     db = impl.barycentrics_derivatives(face_index, clip, faces)
-    for i, j, corners in seen:
-        steps = [[ray_weights(*corners, j + 0.5 + sign * dx, i + 0.5 + sign * dy)
-                  for sign in (1, -1)] for dx, dy in ((h, 0), (0, h))]
-        expected = np.stack([(after - before) / (2 * h) for after, before in steps], -1)
-        assert_close(db[i, j], expected, rtol=1e-5, atol=1e-5 * np.abs(expected).max())
+    assert_close(away @ db, w[..., None, None] * np.diag([2 / 7, 2 / 5]), rtol=1e-6, atol=1e-9)

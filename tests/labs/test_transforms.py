@@ -27,9 +27,14 @@ def test_every_point_is_moved_by_itself(impl, rng):
     """Right for points (N, 4), but points of several leading axes are mixed up or raise an error:
     .T of points exchanges all their axes. Or all are treated as the first one is.
     """
-    points, matrix = rng.normal(size=(2, 3, 4)), rng.normal(size=(4, 4))
-    expected = [[matrix @ point for point in row] for row in points]
-    assert_close(impl.transform(points, matrix), expected)
+    moved, matrix = rng.normal(size=(2, 3, 4)), rng.normal(size=(4, 4))
+    points = brought_to(moved, matrix)
+    assert_close(impl.transform(points, matrix), moved, atol=1e-9)
+
+
+def brought_to(moved, matrix):
+    """The points (..., 4) that a matrix takes to these: so nothing here says how it does."""
+    return np.linalg.solve(matrix, moved[..., None])[..., 0]
 
 
 @exercise("1.10")
@@ -48,12 +53,16 @@ def test_three_points_worked_out_on_paper(impl):
 
 @exercise("1.10")
 @pytest.mark.parametrize("shape", [(4,), (6, 4), (2, 3, 4)], ids=str)
-def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape, gradcheck):
+def test_both_gradients_say_what_a_change_does(impl, rng, shape):
     """Points of no leading axis, or of several, are not all counted in grad_matrix, or it is not
     summed over all of them. Or a gradient has another shape than its input.
     """
-    gradcheck(lambda points, matrix: points @ matrix.T, impl.transform_backward,
-              (rng.normal(size=shape), rng.normal(size=(4, 4))), name="transform")
+    (matrix, change), (grad, moved) = rng.normal(size=(2, 4, 4)), rng.normal(size=(2, *shape))
+    points = brought_to(moved, change)  # matrix + change moves them farther by this
+    grad_points, grad_matrix = impl.transform_backward(grad, points, matrix)
+    assert_close((grad_matrix * change).sum(1), (grad * moved).reshape(-1, 4).sum(0), atol=1e-9)
+    step = brought_to(moved, matrix)  # points + step move farther by the same
+    assert_close((grad_points * step).sum(-1), (grad * moved).sum(-1), atol=1e-9)
 
 
 @exercise("1.2")
@@ -386,15 +395,13 @@ def test_the_gradient_by_w_on_paper(impl):
 
 @exercise("1.11")
 @pytest.mark.parametrize("shape", [(4,), (5, 4), (2, 3, 4)], ids=str)
-def test_the_gradient_of_the_way_to_the_screen_is_central_differences(impl, rng, shape, gradcheck):
+def test_a_step_along_the_ray_changes_nothing_and_one_across_moves_the_pixel(impl, rng, shape):
     """Right for points (N, 4), but not for one point alone, or for several leading axes: w's
     gradient is summed over the points, too. Or to_screen's constant offset leaks in.
     """
-    clip = rng.normal(size=shape)
+    clip, grad_screen = rng.normal(size=shape), rng.normal(size=(*shape[:-1], 3))
     clip[..., 3] = rng.choice([-1, 1], shape[:-1]) * rng.uniform(0.5, 2, shape[:-1])
-
-    def forward(clip):
-        return (clip[..., :3] / clip[..., 3:] + [1, 1, 0]) * [4.5, 2.0, 1.0]
-
-    gradcheck(forward, lambda grad, clip: impl.to_screen_backward(grad, clip, 9, 4), (clip,),
-              name="to_screen")
+    grad = impl.to_screen_backward(grad_screen, clip, 9, 4)
+    across = clip[..., 3:] / [4.5, 2.0, 1.0]  # so far in x, y or z is 1 on the screen
+    assert_close(grad[..., :3] * across, grad_screen)
+    assert_close((grad * clip).sum(-1), np.zeros(shape[:-1]))
