@@ -4,12 +4,10 @@ The scenes' own fits, with pairs of pixels found by nvdiffrast's rule, by the wa
 pictures are masks, with hard pictures and the pull. For three seeds: how far off the end is, how
 much of silhouettes in new views is shared (IoU), and after how many steps a fit is as near as
 nvdiffrast's rule comes at last. rate is a factor of the scene's own rates.
-Writes benchmarks/results/fits.json.
 """
 import contextlib
 import functools
 import itertools
-import json
 import sys
 from pathlib import Path
 from unittest import mock
@@ -23,7 +21,6 @@ from course.given.whose import Labs
 from course.scenes import drawing, fit_bunny, fit_cube, fit_outlines, fit_pose, large_steps
 from course.scenes import reconstruct as searches
 from course.scenes.photographs import Painted, found_object
-from labkit import places
 
 LABS, SEEDS, RATES = Labs("reference"), range(3), (1, 0.5, 2)
 BALLS = [(1_280, 64), (1_280, 128), (5_120, 64)]  # faces, and pixels on a side
@@ -36,8 +33,7 @@ def main():
         fits[name] = [row for at in meshes for row in lines_of(fit, rules, at, at == meshes[0])]
         print(f"\n{name}")
         measure.show(fits[name])
-    content = json.dumps({**facts, "fits": fits}, indent=1)
-    places.write_whole(Path(__file__).parent / "results" / "fits.json", content.encode())
+    measure.save("fits", {**facts, "fits": fits})
 
 
 def lines_of(fit, rules, at, with_rates):

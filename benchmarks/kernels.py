@@ -5,7 +5,6 @@ on two, in milliseconds of wall time, medians, 512 x 512 pixels. And a mean with
 and in one kernel, in processor time. It needs numba, and two cores with nothing else to do.
 """
 import functools
-import statistics
 import sys
 import time
 from pathlib import Path
@@ -14,7 +13,6 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.given import compiled
 from course.given.compiled import without_kernels
 from reference import compiled_pipeline, kernels, rasterization, scanline
 
@@ -31,8 +29,8 @@ def main():
     measure.show(streams)
     rows = [row(count) for count in FACES]
     measure.show(rows)
-    measure.save("kernels", facts, {"wall time, medians in ms": rows,
-                                    "processor time, medians in ms": streams})
+    measure.save("kernels", {**facts, "wall time, medians in ms": rows,
+                             "processor time, medians in ms": streams})
 
 
 def streamed():
@@ -48,29 +46,18 @@ def row(face_count):
     """The times for one sphere; all ways take turns, and find the same bits."""
     _, faces, clip = measure.sphere(face_count)
     scene = clip, faces, SIZE, SIZE
+    by_kernels = functools.partial(compiled_pipeline.rasterize, *scene)
     calls = {"NumPy": lambda: without_kernels(scanline.rasterize)(*scene),
-             "one core": lambda: by_kernels(1, scene), "two cores": lambda: by_kernels(2, scene)}
+             "one core": lambda: measure.on_cores(1, by_kernels),
+             "two cores": lambda: measure.on_cores(2, by_kernels)}
     expected = calls["NumPy"]()
     assert all(np.array_equal(found, wanted) for call in calls.values()
                for found, wanted in zip(call(), expected, strict=True))
-    took = {name: [] for name in calls}
-    for _ in range(11 if face_count < BY_LOOP else 7):
-        for name, call in calls.items():
-            took[name].append(milliseconds(call))
-    loop = {"loop": milliseconds(lambda: rasterization.rasterize.written(*scene))}
-    return {"faces": len(faces), **(loop if face_count < BY_LOOP else {}),
-            **{name: statistics.median(times) for name, times in took.items()}}
-
-
-def by_kernels(threads, scene):
-    compiled.cores = lambda: threads
-    return compiled_pipeline.rasterize(*scene)
-
-
-def milliseconds(call):
-    begin = time.perf_counter()
-    call()
-    return 1000 * (time.perf_counter() - begin)
+    line = {"faces": len(faces)}
+    if face_count < BY_LOOP:
+        line["loop"] = measure.milliseconds(lambda: rasterization.rasterize.written(*scene),
+                                            time.perf_counter)
+    return line | measure.medians(calls, 11 if face_count < BY_LOOP else 7, time.perf_counter)
 
 
 if __name__ == "__main__":

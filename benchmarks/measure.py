@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from course.given import mesh
+from course.given import compiled, mesh
 from labkit import places
 from reference import transforms
 
@@ -26,25 +26,35 @@ CLIP_FROM_WORLD = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0) @ trans
     np.array([0.0, 0.0, -3.0]))
 
 
-def medians(calls, runs=RUNS):
+def medians(calls, runs=RUNS, clock=time.process_time):
     """{name: call} -> {name: milliseconds}, after one round to warm up."""
-    return {name: statistics.median(times) for name, times in rounds(calls, runs).items()}
+    return {name: statistics.median(times) for name, times in rounds(calls, runs, clock).items()}
 
 
-def rounds(calls, runs):
+def rounds(calls, runs, clock=time.process_time):
     """{name: call} -> {name: milliseconds of each round}, after one round to warm up.
 
-    Each round begins with another name.
+    Each round begins with another name. clock: of the processor, or `time.perf_counter`.
     """
     names = list(calls)
     took = {name: [] for name in names}
     for start in range(runs + 1):
         turn = start % len(names)
         for name in names[turn:] + names[:turn]:
-            begin = time.process_time()
-            calls[name]()
-            took[name].append(1000 * (time.process_time() - begin))
+            took[name].append(milliseconds(calls[name], clock))
     return {name: times[1:] for name, times in took.items()}
+
+
+def milliseconds(call, clock):
+    begin = clock()
+    call()
+    return 1000 * (clock() - begin)
+
+
+def on_cores(threads, call):
+    """What the call returns, with kernels on so many cores."""
+    compiled.cores = lambda: threads
+    return call()
 
 
 def sphere(face_count):
@@ -102,8 +112,8 @@ def text(value):
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
-def save(name, facts, tables):
-    """Write facts and {title: rows} to out/benchmarks/NAME.json."""
+def save(name, content):
+    """Write facts and tables to out/benchmarks/NAME.json."""
     path = places.out("benchmarks", f"{name}.json")
-    places.write_whole(path, json.dumps({**facts, **tables}, indent=1).encode())
+    places.write_whole(path, json.dumps(content, indent=1).encode())
     print(f"\nwritten to {path}")

@@ -7,9 +7,8 @@ compared with those of a fine picture, by differences. For each scene and method
     bias    |mean over positions - exact|, over all motions, relative
     spread  standard deviation over positions, over all motions, relative
 
-Positions are shifts of the camera by parts of a pixel. Writes benchmarks/results/outlines.json.
+Positions are shifts of the camera by parts of a pixel.
 """
-import json
 import sys
 from pathlib import Path
 
@@ -18,7 +17,6 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
 from course.given import mesh
-from labkit import places
 from reference import interpolation, intersections, outline_walk, outlines, pipeline, transforms
 
 EXACT = 2048             # pixels on a side of the pictures whose differences count as exact
@@ -36,8 +34,7 @@ def main():
     peers = {name: found[name] for name in ("DRTK", "DEODR") if name in found}
     rows = [row for scene in SCENES for row in lines_of(*scene, peers)]
     measure.show(rows)
-    content = json.dumps({**facts, "share / bias / spread": rows}, indent=1)
-    places.write_whole(Path(__file__).parent / "results" / "outlines.json", content.encode())
+    measure.save("outlines", {**facts, "share / bias / spread": rows})
 
 
 def lines_of(name, face_count, peers):

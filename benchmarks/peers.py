@@ -5,9 +5,9 @@ pixels, and on a cube of 12 faces in 16 x 16 pixels, as in the fits. Millisecond
 on one core. All works of all renderers take turns, in another order each round. "NumPy x" and
 "compiled x" are our times divided by a peer's: medians of the rounds, each divided by itself.
 
-Writes benchmarks/results/peers.json and benchmarks/peers.png, which README.md shows.
+Draws benchmarks/peers.png, which README.md shows.
 """
-import json
+import functools
 import os
 import statistics
 import subprocess
@@ -21,9 +21,8 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
-from course.given import compiled, plot
+from course.given import plot
 from course.scenes import fit_cube
-from labkit import places
 from reference import pipeline, transforms
 
 FACES = 1_000, 10_000, 100_000, 1_000_000
@@ -50,9 +49,8 @@ def main():
     memory = {name: peak_memory(name) for name in ["NumPy", *peers]}
     for name, value in {**growth, **memory}.items():
         print(f"{name}: {value:.3g}")
-    content = json.dumps({**facts, "milliseconds": rows, **growth, "peak memory, MB": memory,
-                          "two threads": two_threads() if "compiled" in peers else []}, indent=1)
-    places.write_whole(Path(__file__).parent / "results" / "peers.json", content.encode())
+    measure.save("peers", {**facts, "milliseconds": rows, **growth, "peak memory, MB": memory,
+                           "two threads": two_threads() if "compiled" in peers else []})
     draw(by_faces, by_pixels)
 
 
@@ -138,14 +136,10 @@ def two_threads():
     lines = []
     for face_count, size in [(count, 512) for count in FACES] + [(10_000, 2048)]:
         scene, _, _ = ball(face_count, size)
-        took = {1: [], 2: []}
-        for _ in range(11):
-            for threads, times in took.items():
-                compiled.cores = lambda threads=threads: threads
-                begin = time.perf_counter()
-                renderers.compiled(scene)["both ways"]()
-                times.append(1000 * (time.perf_counter() - begin))
-        one, two = took[1][1:], took[2][1:]
+        both_ways = renderers.compiled(scene)["both ways"]
+        took = measure.rounds({threads: functools.partial(measure.on_cores, threads, both_ways)
+                               for threads in (1, 2)}, 10, time.perf_counter)
+        one, two = took[1], took[2]
         lines.append({"faces": len(scene.faces), "pixels": size**2, "one": statistics.median(one),
                       "two": statistics.median(two),
                       "gain": statistics.median(np.divide(one, two)),

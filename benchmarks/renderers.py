@@ -43,21 +43,15 @@ def scene(faces, clip, size):
 
 def plain(scene):
     """This course: NumPy, float64."""
-    faces, clip, attributes, gradient, opposite = scene
+    faces, clip, attributes, gradient, _ = scene
     size = len(gradient)
-    material = pipeline.Colours(attributes)
 
     def interpolated():
         seen = without_kernels(pipeline.visible)(clip, faces, size, size)
         return interpolation.interpolate(attributes, faces, seen.face_index, seen.barycentric)
 
-    def both_ways():
-        _, buffers = without_kernels(pipeline.draw)(clip, faces, opposite, material, size, size,
-                                                    np.zeros(3))
-        return without_kernels(pipeline.draw_backward)(gradient, buffers, faces, material)
-
     return {"visible": lambda: rasterization.rasterize(clip, faces, size, size),
-            "interpolated": interpolated, "both ways": both_ways,
+            "interpolated": interpolated, "both ways": drawn_and_back(scene, without_kernels),
             "covered": lambda: rasterization.rasterize(clip, faces, size, size)[0]}
 
 
@@ -65,22 +59,28 @@ def compiled(scene):
     """This course: its kernels, compiled by numba, float64."""
     if not is_installed():
         raise ImportError("numba is not there")
-    faces, clip, attributes, gradient, opposite = scene
+    faces, clip, attributes, gradient, _ = scene
     size = len(gradient)
-    material = pipeline.Colours(attributes)
 
     def interpolated():
         points, face_index, _ = compiled_pipeline.seen(clip, faces, size, size)
         return compiled_pipeline.coloured(face_index, points, faces, attributes, (0.0, 0.0, 0.0))
 
-    def both_ways():
-        _, buffers = compiled_pipeline.draw(clip, faces, opposite, material, size, size,
-                                            np.zeros(3))
-        return compiled_pipeline.draw_backward(gradient, buffers, faces, material)
-
     return {"visible": lambda: compiled_pipeline.rasterize(clip, faces, size, size),
-            "interpolated": interpolated, "both ways": both_ways,
+            "interpolated": interpolated, "both ways": drawn_and_back(scene, lambda draw: draw),
             "covered": lambda: compiled_pipeline.rasterize(clip, faces, size, size)[0]}
+
+
+def drawn_and_back(scene, form):
+    """A call: this course's forward and backward. form: `without_kernels`, or as they are."""
+    faces, clip, attributes, gradient, opposite = scene
+    material, size = pipeline.Colours(attributes), len(gradient)
+
+    def call():
+        _, buffers = form(pipeline.draw)(clip, faces, opposite, material, size, size, np.zeros(3))
+        return form(pipeline.draw_backward)(gradient, buffers, faces, material)
+
+    return call
 
 
 def drtk(scene):

@@ -23,7 +23,7 @@ def main():
     bunny = mesh.split_longest(*mesh.bunny(), 5804)
     rows = [row(name, simplify, bunny) for name, simplify in installed().items()]
     measure.show(rows)
-    measure.save("simplification", facts, {"distances": rows})
+    measure.save("simplification", {**facts, "distances": rows})
 
 
 def row(name, simplify, original):

@@ -71,7 +71,11 @@ def turned(degrees, axis):
 
 
 def fit(labs, goal, scene, stages=STAGES):
-    """Adam, in larger and larger pictures: yields the Scene after each step, and the loss."""
+    """Adam, in larger and larger pictures: yields the Scene after each step, and the loss.
+
+    Of 24 examples 20 end less than 2 degrees off. Two of the others are in another minimum after 30
+    steps, and stay there: its loss is 0.01, and that of a right end 0.00004.
+    """
     lab9 = labs.inverse_rendering
     for size, steps, rate in stages:
         target = picture(labs, goal, size)

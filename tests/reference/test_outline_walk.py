@@ -68,6 +68,28 @@ def test_smaller_faces_have_the_same_outlines(scene):
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize("strips", [1, 40])
+def test_a_floor_that_goes_on_behind_the_camera_has_its_whole_derivative(strips):
+    """A face has a corner behind the camera, and its edge counts for nothing or with the wrong
+    sign, or a walk leaves it by another one.
+    """
+    eye = camera((0.0, 0.25, 2.0), (0.0, 0.25, 0.0), near=0.01)
+    f, far, h = eye[0, 0], 5.0, 0.25
+    half = far * 5 / 48 / f  # of its width: its far end is 10 pixels wide
+    k, side = np.arange(strips), half * np.linspace(-1, 1, strips + 1)
+    x = np.array([[along, 0.0, z] for z in (2 - far, 6.0) for along in side])
+    faces = np.concatenate([np.stack([k, k + strips + 2, k + 1], 1),
+                            np.stack([k, k + strips + 1, k + strips + 2], 1)])
+    seen, white = drawn(pipeline.to_clip(x, eye), faces, 96, 96)
+    _, grad_clip = antialiasing.blend_pairs_backward(
+        np.ones_like(white), white, outline_walk.walked_pairs(*seen), seen[2])
+    got = [(grad_clip * (way @ eye[:, :3].T)).sum() for way in (x * [1, 0, 0], *np.eye(3)[1:])]
+    area = half / h  # on screen, less half h (f / far)^2: by width, height and place
+    end = half * (f / far)**2
+    np.testing.assert_allclose(got, np.array([area - end * h, area / h + end, -2 * end * h / far])
+                               * 48**2, rtol=0.005)
+
+
 def sorted_pairs(*seen):
     """owner, other and c (N, 3) of `outline_pairs`."""
     pairs, _ = outline_walk.outline_pairs(*seen)
