@@ -1,5 +1,6 @@
 """What each pixel sees: rasterize, layer by layer if need be."""
 import operator
+import os
 import sys
 
 import numpy as np
@@ -11,6 +12,7 @@ from apps.bridge.tensors import INTEGERS, array, joined, require
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
 CODE = 0x4A800000  # the float32 whose bits are this and the number
+GRID = int(os.environ.get("BRIDGE_GRID", 0))  # in a pixel, vertices have so many places; 0: all
 
 
 class RasterizeCudaContext:
@@ -103,7 +105,7 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
-        ctx.seen, ctx.way = [], tensors.kernels(pos) or sys.modules[__name__]
+        ctx.seen, ctx.way = [], not GRID and tensors.kernels(pos) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
             face_index, depth = ctx.way.draw_pixels(
                 clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
@@ -138,18 +140,31 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     """
     height, width, _ = rast.shape
     lab5 = tensors.labs.interpolation
-    if beyond is None:
+    if beyond is None and not GRID:
         clip, face_index, depth, weights, *_ = tensors.labs.pipeline.visible(clip, faces, width,
                                                                              height)
     else:
-        face_index, depth = tensors.labs.scanline.rasterize(clip, faces, width, height, beyond)
+        drawn = rounded(clip, width, height) if GRID else clip
+        face_index, depth = tensors.labs.scanline.rasterize(drawn, faces, width, height, beyond)
         weights = lab5.barycentrics(face_index, clip, faces)
     seen = face_index >= 0
-    rast[..., :2] = weights[..., :2]
+    uv = weights[..., :2].clip(0, 1)  # rounded vertices may leave a pixel outside of its face
+    rast[..., :2] = uv / np.maximum(uv.sum(-1, keepdims=True), 1)
     rast[seen, 2], rast[seen, 3] = depth[seen], face_index[seen] + (first + 1)
     derivatives = lab5.barycentrics_derivatives(face_index, clip, faces)
     rast_db[...] = derivatives[..., :2, :].reshape(rast_db.shape)
     return face_index, depth
+
+
+def rounded(clip, width, height):
+    """clip (V, 4) with vertices in front of the camera rounded to 1/GRID pixel, in 32 bits as CUDA
+    does it. Then many edges meet a pixel's centre. So all move a little, to where rounding decides
+    no tie, and the pixel is on the side that the top-left rule gives it to.
+    """
+    w, half = clip[:, 3:], (GRID / 2 * np.array([width, height])).astype(clip.dtype)
+    divisor = np.where(w > 0, w, 1)
+    place = np.rint(clip[:, :2] * (1 / divisor) * half) - (1e-6, 1e-11)
+    return np.hstack([np.where(w > 0, place / half, clip[:, :2]), clip[:, 2:] / divisor])
 
 
 def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):

@@ -59,6 +59,17 @@ def test_pixels_are_those_of_nvdiffrast(scene):
     require_near(rast_db[0].reshape(*size, 2, 2), PIXELS[f"{scene}/derivatives"], 3e-5)
 
 
+@scenes({key for key in OUTLINES if key.startswith("gridaligned") or "snapped" in key})
+def test_rounded_vertices_are_where_nvdiffrast_rounds_them(scene, monkeypatch):
+    """Ties go wrong, on a screen where their places are not exact, or rounding is another one."""
+    monkeypatch.setattr(pixels, "GRID", 16)
+    pos, face_index = of(OUTLINES, scene, "clip", "face_index")
+    # The same pixels, in a corner of a larger screen:
+    pos.data[..., :2] = (pos[..., :2] + pos[..., 3:]) * torch.tensor([0.64, 0.8]) - pos[..., 3:]
+    rast, _ = dr.rasterize(CONTEXT, pos, faces_of(OUTLINES, scene), (80, 100))
+    assert torch.equal(rast[:, :64, :64, 3], face_index + 1)
+
+
 @scenes(BACK)
 def test_gradients_of_pixels_are_those_of_nvdiffrast(scene):
     """What comes by z/w or by a face's number counts; grad_db=False is not heard."""
@@ -333,8 +344,7 @@ def test_the_first_derivative_may_have_a_graph():
 
 def test_an_odd_texture_has_no_levels():
     """The pyramid ends early and nobody is told."""
-    uv = torch.zeros(1, 2, 2, 2)
-    given = torch.ones(1, 6, 4, 1), uv, torch.ones(1, 2, 2, 4)
+    given = torch.ones(1, 6, 4, 1), torch.zeros(1, 2, 2, 2), torch.ones(1, 2, 2, 4)
     with pytest.raises(RuntimeError, match="no mip level 2, as 3 x 2 cannot be halved"):
         dr.texture(*given)
     assert dr.texture(*given, max_mip_level=1).shape == (1, 2, 2, 1)
