@@ -42,8 +42,9 @@ def suspected(compared, call, returned):
     got, expected, agrees, picture = compared
     found, place = suspicion(*compared[:3], arguments(*call), picture), place_in(returned, got)
     if place is None:
-        sure = found and found.certain
-        return found._replace(certain=is_made_of(got, returned)) if sure else None
+        if found is None or not (is_made_of(got, returned) or found.certain):
+            return None
+        return found._replace(certain=found.certain and is_made_of(got, returned))
     if place is not WHOLE and evidence(got, expected, agrees) >= ENOUGH and any(
             is_right(output, compared) for output in returned):
         return Suspicion("the outputs are in the wrong order", True)
@@ -202,7 +203,7 @@ def told(said, sure):
     sentences = [one.sentence for one in said]
     if not all(sentences) or len({*map(kernel, sentences)}) != 1 or not (sure or len(said) > 1):
         return None
-    if len({*sentences}) > 1:
+    if len({"".join(re.findall(WHY, sentence)) for sentence in sentences}) > 1:
         sentences[0] = common(sentences)
     return str(Suspicion(sentences[0], sure))
 
@@ -224,7 +225,7 @@ def kernel(sentence):
 def is_sure(said):
     """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
     return "may be that" not in said and not re.search(
-        rf"(times what was|more than|less than) expected({PLACE})?$", said)
+        rf"(what was|more than|less than) expected({PLACE})?$", said)
 
 
 def says_too(catches, said):
