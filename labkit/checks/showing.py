@@ -150,9 +150,8 @@ def fitting(error):
     if "gufunc signature" in text or "not aligned" in text:
         sizes = " and ".join(re.findall(r"(?:size|from|aligned:|!=) (\d+)", text))
         yield ("    A @ B sums over the last axis of A and the last but one of B, a vector's only "
-               f"one. They differ: {sizes} numbers. Is one to be transposed, or the order wrong? "
-               ".T turns all axes round, and .swapaxes(-1, -2) the last two, as a stack needs it. "
-               "For the dot product of each row with its own, it is (a * b).sum(-1).")
+               f"one. They differ: {sizes} numbers. Is one to be transposed (.T, or swapaxes(-1, "
+               "-2) for a stack), or the order wrong? For rows' dot products, (a * b).sum(-1).")
     elif "must have same number of dimensions" in text:
         yield f"    what is joined needs equally many axes: {AN_AXIS}"
     elif "concatenation axis must match" in text:

@@ -69,7 +69,7 @@ def told(assertion, got, expected, *inputs):
     (np.float16(CORNER / 3), CORNER / 3, "float16 is not precise enough"),
     (CORNER + 1e-8 * CORNER ** 2, CORNER, "it is right to seven digits or so"),
     (CORNER * [1, -1, 1], CORNER, "it may be that the sign is flipped in [..., 1]"),
-    (SIX * [1, 1, 0], SIX, "it is zero in [..., 2]"),
+    (SIX * [1, 1, 0], SIX, "it is 0 everywhere in [..., 2]"),
     (SIX < 3, SIX >= 3, "true and false are swapped"),
     (CORNER * [[1, 2, 1], [1, 1, 2]], CORNER,
      "it may be that it is 2 times what was expected in all that is wrong"),
@@ -124,8 +124,7 @@ def test_what_indices_tell_is_told():
     mirrored = np.where(w < 0, -1, 1)[:, None] * many
     assert told(assert_close, mirrored, many, ("w", w)) == "the sign is flipped where w < 0"
     assert "w <" not in told(assert_close, mirrored[:5], many[:5], ("w", w[:5]))  # as by chance
-    w = w[:5]
-    assert told(assert_close, right - w[:, None], right, ("w", w)) == (
+    assert told(assert_close, many - w[:, None], many, ("w", w)) == (
         "it is what was expected, minus w")
     last = right + np.array([[0], [0], [0], [0], [1]]) * [0.7, 0.3]
     assert "only the last row" in told(assert_close, last, right, ("face_index", index))
@@ -228,8 +227,7 @@ TIMES = "everything is 0.666667 times what was expected"
     ("it is flipped", False, "it may be that it is flipped", True), (TIMES, True, TIMES, True),
     (f"{TIMES}; len(x) is 9", True, f"{TIMES}; len(x) is 9", False),
     ("it is 4 times what was expected in [..., 1]", True,
-     "it is 4 times what was expected in [..., 1]", True),
-    ("a sign is flipped", False, "it may be that a sign is flipped", False)])
+     "it is 4 times what was expected in [..., 1]", True)])
 def test_a_hint_stands_first_and_once_and_a_list_only_where_it_is_not_sure(
         sentence, sure, hint, has_list):
     """The cause stands below thirty lines of numbers, and beside a list of other causes. Or a
