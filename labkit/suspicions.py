@@ -15,14 +15,13 @@ import numpy as np
 from .contract import as_array
 
 TRUTHS = 4  # truth values say as much as one number
-CHANCE = 1000  # of so many sets of rows, one is that of an input's signs by no chance
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
 HALF_DIGITS = 2e-3  # about that of float16, after a few sums
 ANYWHERE = " in all that is wrong"  # here and there, which may be chance
 COMMON_FACTORS = ((2, ", twice as much: a factor of 2 too many"),
                   (0.5, ", half of it: a factor of 2 is missing"),
-                  (1 / 3, ": a mean of three in place of their sum is a third of what was expected"),
+                  (1 / 3, ": a mean of three, not their sum, is a third of what was expected"),
                   (180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees"))
 
 
@@ -297,7 +296,7 @@ def places(wrong, inputs):
         for title, column in columns(name, as_array(value)):
             rows = wrong.reshape(*wrong.shape[:column.ndim], -1).any(-1)
             for sign, there in ("<", column < 0), (">", column > 0):
-                if np.array_equal(rows, there) and comb(rows.size, rows.sum()) > CHANCE:
+                if np.array_equal(rows, there) and comb(rows.size, rows.sum()) > 1000:  # no chance
                     yield f" where {title} {sign} 0", there
 
 

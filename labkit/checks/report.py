@@ -161,9 +161,7 @@ def explained(error, item):
         rows = [(label, text + named(last[0], text, returned) if label == "output" else text)
                 for label, text in rows]
     if is_misshaped(error):
-        summed = last and error.compared.expected.dtype.kind in "fc"  # and is no list of pairs
-        words = showing.axes_in_words(*map(np.shape, error.compared[:2]),
-                                      arguments(*last) if summed else ())
+        words = showing.axes_in_words(*error.compared[:2], arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
     return [*rows, *warned(error, item), ("check", check_line(error, item))]
 

@@ -176,8 +176,12 @@ def unfit(short, long):
             f"{other} meet: are both of the same things, and their axes in the same order?")
 
 
-def axes_in_words(came, expected, inputs=()):
-    """What became of an axis, where the shapes of what came and was expected tell it, or None."""
+def axes_in_words(got, right, inputs=()):
+    """What became of an axis, where the shapes of what came and was expected tell it, or None.
+
+    Integers, as a list of pairs, are no sum over an axis of an input.
+    """
+    came, expected = got.shape, right.shape
     if () in (came, expected):
         return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
     if sorted(came) == sorted(expected):
@@ -190,7 +194,7 @@ def axes_in_words(came, expected, inputs=()):
                 "one of two arrays has an axis too many")
     if axis := the_axis(came, expected):
         return f"axis {axis[0]} is too many: is it to be summed, or is one number of it meant?"
-    for name, array in inputs:
+    for name, array in inputs if right.dtype.kind in "fc" else ():
         shape = np.shape(as_array(array))
         wrong, right = the_axis(shape, came), the_axis(shape, expected)
         if wrong and right:

@@ -164,8 +164,10 @@ def test_float32_is_not_named_where_the_numbers_are_far_off():
     ((4,), (3,), "without axis 0, x (3, 4) becomes (4,), and without axis 1 (3,)")])
 def test_what_became_of_an_axis_is_told_by_the_shapes(came, expected, told):
     """A sum over the wrong axis, or one more axis by broadcasting, and two tuples are all."""
-    said = axes_in_words(came, expected, [("n", 2), ("x", np.ones((3, 4)))])
+    said, of_integers = (axes_in_words(np.ones(came), np.ones(expected, kind), [
+        ("n", 2), ("x", np.ones((3, 4)))]) for kind in (float, int))
     assert said == told or told in said
+    assert "becomes" not in str(of_integers)
 
 
 @pytest.mark.parametrize("shape", [(), (0,), (1,), (3,), (2, 3), (3, 3), (4, 1, 3)], ids=str)
@@ -298,14 +300,14 @@ A, B, C = "a 2:1", "b 1.0:2 1.1:3", "c"
     ({"x": "d 1:9 2:7", "y": "e 2:4"}, None), ({"x": "d 2:1"}, None),
     ({"u": "d 1.0:2 1.1:3"}, "in [..., 0] and [..., 1] this may be what comes out when third"),
     ({"u": "d 1.0:2 1.1:3 1.2:5"}, None), ({"u": "d 1.0:2", "v": hints.OTHER}, None),
-    ({"r": C, "s": C, "t": "z"}, "in 2 of 3 checks this may be what comes out when twice"),
-    ({"r": C, "s": "z", "t": "z"}, None)])
+    ({"r": C, "s": C, "w": "z 1.1:3"}, "in 2 of 3 checks this may be what comes out when twice"),
+    ({"r": C, "s": "z", "w": "z 1.1:3"}, None)])
 def test_a_known_mistake_is_told_of_the_part_in_which_it_is_seen(monkeypatch, marks, told):
     """A second mistake in another output hides the first one. Or a mistake is told that fails a
     check that passes, that shows in one column where another one is wrong, or in few checks.
     """
     monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
-        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}), ("twice", {"r": C, "s": C})]})
+        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}), ("twice", {"r": C, "s": C, "w": B})]})
     assert hints.in_part("1.1", hints.Pattern(marks, 9)) == told
     assert hints.in_words(("1", "2", "3", "4"), None) == "in 4 places"
 
