@@ -114,21 +114,24 @@ def loop_step(faces, vertex_count, weight=warren_weight):
 
 
 def loop_matrix(faces, vertex_count, weight=warren_weight):
-    """S of `loop_step`: S @ x subdivides whatever sits at the vertices, uv or colour."""
+    """S of `loop_step`, sparse (V + E, V). S @ x subdivides what sits at the vertices, as uv.
+
+    faces (F, 3), vertex_count V, weight as in `loop_step`.
+    """
     return loop_step(faces, vertex_count, weight)[0]
 
 
 def loop(vertices, faces, weight=warren_weight):
     """One step of Loop: vertices (V, C), faces (F, 3) -> vertices (V + E, C), faces (4 F, 3).
 
-    ValueError: see `topology`.
+    weight: warren_weight or loop_weight. ValueError: see `topology`.
     """
     S, new_faces = loop_step(faces, len(vertices), weight)
     return S @ np.asarray(vertices), new_faces
 
 
 def loop_backward(grad_new, vertices, faces, weight=warren_weight):
-    """Backward of `loop`: grad_new (V + E, C) -> grad_vertices (V, C)."""
+    """Backward of `loop`, with its arguments: grad_new (V + E, C) -> grad_vertices (V, C)."""
     # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient with respect
     # to old_j is the sum of S_ij grad_new_i over i, which is S^T grad_new.
     return loop_matrix(faces, len(vertices), weight).T @ np.asarray(grad_new)

@@ -72,13 +72,13 @@ def padded_sum(e, epsilon):
     return np.where(s == 0, np.inf, s)
 
 
-def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (6 points)
+def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (5 points)
                           epsilon=0.0):
     """Backward of lab 5's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
     face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
-    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, to x and y, and to clip space,
-    and sum at each vertex. See `demo taped`.
+    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, then to x and y. From there,
+    `add_to_vertices` adds to an array (4, V). See `demo taped`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
     >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2
@@ -94,7 +94,8 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise
 def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
     """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
 
-    `scatter` makes a whole array for each chunk. This adds in place.
+    vertex (3, N), centre (X, Y): as it yields them. grad_w: of the corners' own w. `scatter` makes
+    a whole array for each chunk. This adds in place.
     """
     X, Y = centre
     grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)

@@ -108,12 +108,15 @@ def euler_characteristic(corners, counts):
 
 
 def polygons(corners, counts):
-    """The faces one by one: a list of F arrays, each the corners of a face."""
+    """The faces one by one: corners (C,), counts (F,) -> F arrays, each the corners of a face."""
     return np.split(corners, np.cumsum(counts)[:-1])
 
 
 def faces_at_edges(corners, counts):
-    """[((low, high), list of the faces at this edge), ...], in the order of `edges_of`."""
+    """Who meets at each edge? [((low, high), list of the faces at this edge), ...]
+
+    corners (C,), counts (F,). The edges come in the order of `edges_of`, low < high.
+    """
     found = {}
     for f, polygon in enumerate(polygons(corners, counts)):
         for a, b in zip(polygon, np.roll(polygon, -1), strict=True):
@@ -124,7 +127,8 @@ def faces_at_edges(corners, counts):
 def ring_of(v, at_edge):
     """Two lists: the neighbours of vertex v, and the two of them along the boundary.
 
-    at_edge: from `faces_at_edges`. The second list is empty for a vertex inside.
+    v: a vertex's number. at_edge: from `faces_at_edges`. For a vertex inside, the second list is
+    empty.
     """
     near = [(a + b - v, faces) for (a, b), faces in at_edge if v in (a, b)]  # the edge's other end
     return [other for other, _ in near], [other for other, faces in near if len(faces) == 1]
@@ -134,13 +138,16 @@ def ring_of(v, at_edge):
 
 
 def as_matrix(entries, shape):
-    """Entries (rows, columns, weights) -> a sparse matrix. Entries of one place add up."""
+    """Entries (rows, columns, weights), (N,) each -> a sparse matrix of a shape (rows, columns).
+
+    Entries of one place add up.
+    """
     rows, columns, weights = entries
     return scipy.sparse.csr_array((weights, (rows, columns)), shape=shape)
 
 
 def join(*entries):
-    """Several tuples rows, columns, weights as one."""
+    """Several tuples rows, columns, weights, of (N,) each, as one, in their order."""
     return tuple(np.concatenate(part) for part in zip(*entries, strict=True))
 
 
@@ -181,7 +188,8 @@ def vertex_rows(edges, is_boundary, u, w):  # step 11.4
 def topology(corners, counts, vertex_count):
     """The edges (E, 2), corner_edge (C,) and is_boundary (E,) of a sound mesh.
 
-    ValueError for any other. In a sound mesh at most two faces meet at an edge, and one fan of
+    corners (C,), counts (F,), vertex_count: all vertices, also unused ones. ValueError for any
+    other mesh. In a sound mesh at most two faces meet at an edge, and one fan of
     faces at a vertex. There may be unused vertices, several vertices in one place, faces without
     area, and any number of boundaries and handles. Faces may be wound either way, because no rule
     depends on it. One face twice, and nothing else, is sound as well: a closed pillow.
@@ -212,7 +220,10 @@ def triangles(faces):
 
 
 def as_polygons(corners, counts):
-    """Both as indices. ValueError unless both are rows of integers, and the counts fit."""
+    """corners (C,), counts (F,) -> both as np.intp.
+
+    ValueError unless both are rows of integers, and the counts add up to C.
+    """
     corners, counts = np.asarray(corners), np.asarray(counts)
     for name, numbers in (("corners", corners), ("counts", counts)):
         if numbers.ndim != 1 or len(numbers) == 0 or numbers.dtype.kind not in "iu":
@@ -227,7 +238,10 @@ def as_polygons(corners, counts):
 
 
 def check_corners(corners, counts, vertex_count):
-    """ValueError unless each face names existing vertices, and none of them twice."""
+    """ValueError unless each face names existing vertices, and none of them twice.
+
+    corners (C,), counts (F,), vertex_count: so many vertices exist.
+    """
     face = face_of_corner(counts)
     outside = (corners < 0) | (corners >= vertex_count)
     if outside.any():
@@ -242,8 +256,10 @@ def check_corners(corners, counts, vertex_count):
 
 
 def fans(corners, counts, edges, corner_edge):
-    """The number of each corner's fan: (C,), from 0. A fan is a set of faces at a vertex that are
+    """The number of each corner's fan, from 0: (C,). A fan is a set of faces at a vertex that are
     connected by edges there.
+
+    corners (C,), counts (F,), and edges (E, 2), corner_edge (C,) of `edges_of`.
     """
     # An edge has two ends, low and high, which its faces share. At each corner an edge arrives and
     # the next one leaves: their ends there belong to one fan.
@@ -259,8 +275,8 @@ def fans(corners, counts, edges, corner_edge):
 def split_fans(corners, counts):
     """Give each fan a vertex of its own, drop unused vertices: -> corners (C,), origin (V',).
 
-    origin: the old vertex that each new one is a copy of. The new positions are vertices[origin].
-    ValueError: see `as_polygons` and `check_corners`.
+    corners (C,), counts (F,). origin: the old vertex that each new one is a copy of. The new
+    positions are vertices[origin]. ValueError: see `as_polygons` and `check_corners`.
 
     >>> split_fans(np.array([0, 1, 2, 2, 3, 4]), np.array([3, 3]))[1]  # two triangles, tip to tip
     array([0, 1, 2, 2, 3, 4])

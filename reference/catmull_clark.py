@@ -157,15 +157,18 @@ def catmull_clark_step(corners, counts, vertex_count):
 
 
 def catmull_clark_matrix(corners, counts, vertex_count):
-    """S of `catmull_clark_step`, for whatever sits at the vertices."""
+    """S of `catmull_clark_step`, sparse (V + E + F, V), for whatever sits at the vertices.
+
+    corners (C,), counts (F,), vertex_count V.
+    """
     return catmull_clark_step(corners, counts, vertex_count)[0]
 
 
 def catmull_clark(vertices, corners, counts):
     """One step of Catmull-Clark -> vertices (V + E + F, C), corners, counts, all 4.
 
-    vertices (V, C), corners, counts. The new faces as (N, 4): corners.reshape(-1, 4). ValueError:
-    see `topology`.
+    vertices (V, C), corners (C,), counts (F,). The new faces as (N, 4): corners.reshape(-1, 4).
+    ValueError: see `topology`.
     """
     S, quads = catmull_clark_step(corners, counts, len(vertices))
     return S @ np.asarray(vertices), quads.ravel(), np.full(len(quads), 4)
@@ -196,7 +199,10 @@ def catmull_clark_limit_rows(edges, is_boundary, quads, n):
 
 
 def catmull_clark_limit_matrix(corners, counts, vertex_count):
-    """Eq. (10): sparse (V, V), to the limit surface. ValueError unless all faces are quads."""
+    """Eq. (10): sparse (V, V), to the limit surface.
+
+    corners (C,), counts (F,), vertex_count V. ValueError unless all faces are quads.
+    """
     corners, counts = as_polygons(corners, counts)
     edges, _, is_boundary = topology(corners, counts, vertex_count)
     if (counts != 4).any():

@@ -15,7 +15,6 @@ import numpy as np
 
 from .. import places
 from ..contract import UNFINISHED
-from ..suspicions import axes_in_words
 from ..table import COMMAND
 from . import hints, showing
 from .assertions import NAN, Mismatch
@@ -162,7 +161,7 @@ def explained(error, item):
         rows = [(label, text + named(last[0], text, returned) if label == "output" else text)
                 for label, text in rows]
     if is_misshaped(error):
-        words = axes_in_words(*map(np.shape, error.compared[:2]), arguments(*last) if last else ())
+        words = showing.axes_in_words(*error.compared[:2], arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
     return [*rows, *warned(error, item), ("check", check_line(error, item))]
 

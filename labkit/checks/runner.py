@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from .. import places
-from .hints import hint, is_sure, says_too
+from .hints import hint, is_sure
 from .loader import Stopped, folder
 from .report import Check, claim, is_drawn, is_fine_print
 from .showing import error_text, layout
@@ -71,7 +71,7 @@ def explained(found):
     for check in found:
         said = hints.get(check.exercise)
         rows = [("hint", said)] if said and check is failing[check.exercise][0] else []
-        if check.catches and not (said and (is_sure(said) or says_too(check.catches, said))):
+        if check.catches and not (said and is_sure(said)):
             rows.append(("perhaps", check.catches))
         yield check._replace(message="\n".join(filter(None, [layout(rows), check.message])))
 

@@ -150,8 +150,8 @@ def fitting(error):
     if "gufunc signature" in text or "not aligned" in text:
         sizes = " and ".join(re.findall(r"(?:size|from|aligned:|!=) (\d+)", text))
         yield ("    A @ B sums over the last axis of A and the last but one of B, a vector's only "
-               f"one. They differ: {sizes} numbers. Is one to be transposed (.T), or the order "
-               "wrong? For the dot product of each row with its own, it is (a * b).sum(-1).")
+               f"one. They differ: {sizes} numbers. Is one to be transposed (.T, or swapaxes(-1, "
+               "-2) for a stack), or the order wrong? For rows' dot products, (a * b).sum(-1).")
     elif "must have same number of dimensions" in text:
         yield f"    what is joined needs equally many axes: {AN_AXIS}"
     elif "concatenation axis must match" in text:
@@ -174,6 +174,37 @@ def unfit(short, long):
     one, other = next((pair for pair in pairs if len({*pair, 1}) == 3), (short, long))
     return (f"lengths are compared from the last axis on, and must be equal or 1. Here {one} and "
             f"{other} meet: are both of the same things, and their axes in the same order?")
+
+
+def axes_in_words(got, right, inputs=()):
+    """What became of an axis, where the shapes of what came and was expected tell it, or None.
+
+    Integers, as a list of pairs, are no sum over an axis of an input.
+    """
+    came, expected = got.shape, right.shape
+    if () in (came, expected):
+        return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
+    if sorted(came) == sorted(expected):
+        return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
+    if axis := the_axis(expected, came):
+        return (f"axis {axis[0]} is lost: a sum, a mean or an index took it away; keepdims=True "
+                "keeps one of length 1, and None in an index adds one")
+    if len(expected) == 1 and came == 2 * expected:
+        return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as "
+                "one of two arrays has an axis too many")
+    if axis := the_axis(came, expected):
+        return f"axis {axis[0]} is too many: is it to be summed, or is one number of it meant?"
+    for name, array in inputs if right.dtype.kind in "fc" else ():
+        shape = np.shape(as_array(array))
+        wrong, right = the_axis(shape, came), the_axis(shape, expected)
+        if wrong and right:
+            return (f"without axis {wrong[0]}, {name} {shape} becomes {came}, and without axis "
+                    f"{right[0]} {expected}: is the sum over the wrong axis?")
+
+
+def the_axis(long, short):
+    """(axis,) without which the one shape is the other, () if there is none."""
+    return tuple(k for k in range(len(long)) if long[:k] + long[k + 1:] == short)[-1:]
 
 
 def cut(text):
