@@ -17,11 +17,10 @@ from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
 import torch
-from torch.utils.weak import WeakTensorKeyDictionary
 
 from course.given import whose
 
-from . import tensors
+from . import card, tensors
 
 INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own names
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
@@ -36,12 +35,11 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
                ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
-ON_CARD = WeakTensorKeyDictionary()  # tensors that were moved, or made there
 
 
-def run(script, arguments, implementation=None, is_module=False):
+def run(script, arguments, implementation=None, is_module=False, is_strict=False):
     """Run a program as `python SCRIPT ARGUMENTS` would, or `python -m SCRIPT ARGUMENTS`, by the
-    reference or by labs/.
+    reference or by labs/. is_strict: refuse what a graphics card refuses.
 
     ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
     Lacking: it needs an exercise that is not written.
@@ -52,11 +50,14 @@ def run(script, arguments, implementation=None, is_module=False):
     tensors.labs = whose.Labs(implementation)
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
-    pretend()
     sys.argv[:] = str(script), *arguments
     first = str(Path.cwd() if is_module else path.parent)
     sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
-    with whose.exercises_named(), needs_named(script):
+    if tensors.labs.package == "labs":
+        from . import behind  # it imports pytest
+        behind.tell("" if is_module else path.read_text("utf-8", "replace"))
+    pretend()
+    with whose.exercises_named(), needs_named(script), strictness(is_strict):
         try:
             started(script, is_module)
         except OSError as error:  # of its own: for the command line it would be one of the course
@@ -65,6 +66,14 @@ def run(script, arguments, implementation=None, is_module=False):
             traceback.print_exc()
             return 1
     return 0
+
+
+def strictness(is_strict):
+    """A context in which what a graphics card refuses is refused, or all is taken."""
+    if not is_strict:
+        return contextlib.nullcontext()
+    card.refuse()
+    return card.Strict()
 
 
 def started(script, is_module):
@@ -149,15 +158,17 @@ def pretend():
             setattr(torch, name, on_processor(made))
     for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
         setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
-    torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
-    torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
-    torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
+    to = torch.Tensor.to
+    torch.Tensor.to = lambda tensor, *args, **kwargs: moved(tensor, to, *args, **kwargs)
+    torch.Tensor.cuda = lambda tensor, *_, **__: moved(tensor, to, "cuda")
+    torch.Tensor.cpu = lambda tensor, *_, **__: moved(tensor, to, "cpu")
     torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
     torch.Tensor.device = property(lambda _: torch.device("cpu", 0))  # whose index is a number
     torch.Tensor.is_cuda = property(lambda _: True)
     torch.Tensor.get_device = lambda _: 0
     load = torch.load
-    torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.load = lambda file, map_location=None, *args, **kwargs: card.put(
+        load(file, "cpu", *args, **kwargs), str(map_location) != "cpu")
     torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
     torch.compile = lambda function=None, **_: function or (lambda function: function)
     pretend_cuda()
@@ -184,10 +195,7 @@ def on_processor(function):
     def made(*args, **kwargs):
         if not is_cuda(kwargs.get("device")):
             return function(*args, **kwargs)
-        result = function(*args, **{**kwargs, "device": "cpu"})
-        if isinstance(result, torch.Tensor):
-            ON_CARD[result] = True
-        return result
+        return card.put(function(*args, **{**kwargs, "device": "cpu"}))
 
     return made
 
@@ -199,21 +207,25 @@ def moved(tensor, to, *args, **kwargs):
     that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
     device = kwargs.get("device", args[0] if args else None)
-    if is_cuda(device):
+    is_there = is_cuda(device)
+    if is_there:
         args = args if "device" in kwargs else ("cpu", *args[1:])
         kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
     elif not isinstance(device, str | torch.device):
         return to(tensor, *args, **kwargs)
-    made = to(tensor, *args, **kwargs)
-    is_known = tensor in ON_CARD or isinstance(tensor, torch.nn.Parameter)
-    if made is tensor and not (is_cuda(device) and tensor.requires_grad and is_known):
+    with torch._C.DisableTorchFunction():  # else Strict would come here again
+        made = to(tensor, *args, **kwargs)
+    is_known = card.has(tensor) or isinstance(tensor, torch.nn.Parameter)
+    if made is tensor and not (is_there and tensor.requires_grad and is_known):
         made = made.clone()
-    if is_cuda(device):
-        ON_CARD[made] = True
+    card.place(made).is_on_card = is_there
     return made
 
 
 def is_cuda(device):
-    """Does this argument of PyTorch name a graphics card? A number does, too."""
-    return type(device) is int or (isinstance(device, str | torch.device)
-                                   and str(device).startswith("cuda"))
+    """Does this argument of PyTorch name a graphics card? A number does, and so does cpu:0, which
+    tensors say here.
+    """
+    if isinstance(device, torch.device):
+        return device.type == "cuda" or device.index == 0
+    return type(device) is int or (isinstance(device, str) and device.startswith(("cuda", "cpu:")))

@@ -131,11 +131,12 @@ def save_obj(filename, vertices, faces, textures=None):
     for each face. It shows what pixels would see of the face.
     """
     path = Path(filename)
-    vertices = array("vertices", vertices.contiguous(), "v 3")
-    faces = array("faces", faces.contiguous(), "f 3", INTEGERS) + 1
+    vertices = array("vertices", vertices.cpu().contiguous(), "v 3")
+    faces = array("faces", faces.cpu().contiguous(), "f 3", INTEGERS) + 1
     with path.open("w", encoding="utf-8") as file:
         if textures is not None:
-            picture, uv = atlas(array("textures", with_pairs(textures), f"{len(faces)} t t t 3"))
+            cubes = with_pairs(textures.cpu())
+            picture, uv = atlas(array("textures", cubes, f"{len(faces)} t t t 3"))
             image.write(path.with_suffix(".png"), picture)
             path.with_suffix(".mtl").write_text(
                 f"newmtl faces\nKd 1 1 1\nmap_Kd {path.stem}.png\n", encoding="utf-8")
