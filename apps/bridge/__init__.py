@@ -4,7 +4,6 @@
     nvdiffrast        what `import nvdiffrast.torch` finds
     neural_renderer   what `import neural_renderer` finds
     card              where tensors would be, and what a card refuses
-    behind            the exercises behind a program, and which of them are not right
     program           somebody's program, run as it is
     setup             a step of pip install apps/bridge
 """

@@ -4,7 +4,6 @@ There, PyTorch takes the tensors of an operation from one device, and NumPy thos
 The kernels take float32 on the card, and `ranges` on the processor: NVDR_CHECK in nvdiffrast's
 csrc/torch at 253ac4f, CHECK_INPUT in neural_renderer's cuda/ at b2a1e6c.
 """
-import functools
 import inspect
 
 import torch
@@ -15,6 +14,7 @@ from .tensors import require
 
 MAY_MIX = "copy_", "to", "type_as", "__getitem__", "__setitem__", "__set__"  # two devices
 TO_NUMPY = "numpy", "__array__"
+APPLY = torch.autograd.Function.apply.__func__
 
 
 def place(tensor):
@@ -30,15 +30,15 @@ def has(tensor):
     return getattr(place(tensor), "is_on_card", False)
 
 
-def tensors_in(value):
-    return [each for each in tree_leaves(value) if isinstance(each, torch.Tensor)]
-
-
 def put(value, is_there=True):
     """A tensor, or a tuple or dict of such, which from now on counts as there."""
     for tensor in tensors_in(value):
         place(tensor).is_on_card = is_there
     return value
+
+
+def tensors_in(value):
+    return [each for each in tree_leaves(value) if isinstance(each, torch.Tensor)]
 
 
 class Strict(TorchFunctionMode):
@@ -56,32 +56,28 @@ class Strict(TorchFunctionMode):
         return put(made) if is_there else made
 
 
-def strictly(operation):
-    """An operation on the card, which refuses what its kernels refuse."""
-    names, title = inspect.signature(operation), operation.__qualname__.partition(".")[0]
-
-    @functools.wraps(operation)
-    def refusing(*args, **kwargs):
-        for name, value in names.bind(*args, **kwargs).arguments.items():
-            where, move = ("processor", "cpu") if name == "ranges" else ("card", "cuda")
+def applied(function, *given):
+    """What a Function returns, on the card if it is given what is. The interfaces' own ones refuse
+    what their kernels refuse.
+    """
+    if function.__module__.startswith(("nvdiffrast.", "neural_renderer.")):
+        named = inspect.signature(function.forward).bind(None, *given).arguments
+        for name, value in named.items():
+            title, is_there = f"{function.__name__.lower()}: {name}", name != "ranges"
             for tensor in tensors_in(value):
-                require(tensor.dtype != torch.float64, f"{title}: {name} is of torch.float64, and "
-                        f"a card takes torch.float32: give {name}.float()")
-                require(has(tensor) == (move == "cuda"), f"{title}: {name} must be on the {where}: "
-                        f"give {name}.{move}()")
-        with torch._C.DisableTorchFunction():
-            return put(operation(*args, **kwargs))
-
-    return refusing
+                require(tensor.dtype != torch.float64, f"{title} is of torch.float64, and a card "
+                        f"takes torch.float32: give {name}.float()")
+                require(has(tensor) == is_there, f"{title} must be on the card: give {name}.cuda()"
+                        if is_there else f"{title} must be on the processor: give ranges.cpu()")
+    made = APPLY(function, *given)
+    return put(made) if any(map(has, tensors_in(given))) else made
 
 
 def refuse():
-    """The interfaces are strict, and tensors say where they are: cpu:0 stands for the card."""
-    import neural_renderer as nr
-    import nvdiffrast.torch as dr
-    functions = [(dr, name) for name in dr.__all__ if inspect.isfunction(getattr(dr, name))]
-    for owner, name in (*functions, (dr.DepthPeeler, "__init__"), (nr.Rasterize, "forward"),
-                        (dr.DepthPeeler, "rasterize_next_layer"), (nr, "load_obj")):
-        setattr(owner, name, strictly(getattr(owner, name)))
+    """From now on, PyTorch and the interfaces do, and tensors say where they are: cpu:0 stands for
+    the card.
+    """
+    torch.autograd.Function.apply = classmethod(applied)
     torch.Tensor.is_cuda = property(has)
     torch.Tensor.device = property(lambda tensor: torch.device("cpu", 0 if has(tensor) else None))
+    Strict().__enter__()

@@ -5,6 +5,7 @@ folder, and "cuda" means the processor.
 """
 import contextlib
 import functools
+import importlib.util
 import os
 import platform
 import re
@@ -19,6 +20,8 @@ os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask fo
 import torch
 
 from course.given import whose
+from labkit import exercises
+from labkit.table import COMMAND
 
 from . import card, tensors
 
@@ -33,6 +36,8 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
            "mem_get_info": (1 << 33, 1 << 34), "memory_summary": "", "is_bf16_supported": True,
            "ipc_collect": None, "reset_peak_memory_stats": None, **dict.fromkeys(
                ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
+BEHIND = re.compile(r"^\| `(?:dr|nr)\.(\w+)` (.*)$", re.MULTILINE)  # README's row of a call
+WRONG = {"not started": "not written", "failed": "failing"}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
 
@@ -54,12 +59,15 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     first = str(Path.cwd() if is_module else path.parent)
     sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
     if tensors.labs.package == "labs":
-        from . import behind  # it imports pytest
-        behind.tell("" if is_module else path.read_text("utf-8", "replace"))
+        name_wrong("" if is_module else path.read_text("utf-8", "replace"))
     pretend()
-    with whose.exercises_named(), needs_named(script), strictness(is_strict):
+    if is_strict:
+        card.refuse()
+    start = (functools.partial(runpy.run_module, script, alter_sys=True) if is_module
+             else functools.partial(runpy.run_path, str(path)))
+    with whose.exercises_named(), needs_named(script):
         try:
-            started(script, is_module)
+            start(run_name="__main__")
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
@@ -68,20 +76,23 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     return 0
 
 
-def strictness(is_strict):
-    """A context in which what a graphics card refuses is refused, or all is taken."""
-    if not is_strict:
-        return contextlib.nullcontext()
-    card.refuse()
-    return card.Strict()
-
-
-def started(script, is_module):
-    """The program itself."""
-    if is_module:
-        runpy.run_module(script, run_name="__main__", alter_sys=True)
-    else:
-        runpy.run_path(str(Path(script).resolve()), run_name="__main__")
+def name_wrong(program):
+    """Print which exercises in labs/ are not written or fail a check, in a line if any: of those
+    behind the operations that a program's text names. If it names none, its modules do: of all.
+    """
+    from labkit import verdicts  # and so pytest
+    from labkit.checks import runner
+    rows = re.findall(BEHIND, Path(__file__).with_name("README.md").read_text("utf-8"))
+    named = [row for name, row in rows if re.search(rf"\.{name}|import.*{name}", program)]
+    labs, _ = exercises.asked_for(None)
+    code, = importlib.util.find_spec("labs").submodule_search_locations
+    numbers = {*re.findall(r"\d+\.\d+", str(named or rows))}
+    checks, _ = runner.run_checks(labs, numbers - verdicts.closed_extras(labs, Path(code)), code, 0)
+    wrong = dict.fromkeys(f"{check.exercise} {WRONG[check.verdict]}" for check in checks
+                          if check.verdict in WRONG and not check.fine_print)
+    if wrong:
+        print(f"course: of what it may call, {', '.join(wrong)}; {COMMAND} check NUMBER says more",
+              file=sys.stderr, flush=True)
 
 
 @contextlib.contextmanager
@@ -121,21 +132,16 @@ class DataParallel(torch.nn.Module):
         return self.module(*args, **kwargs)
 
 
-def doing_nothing(*names):
-    """An object whose functions of these names do nothing."""
-    return types.SimpleNamespace(**dict.fromkeys(names, lambda *_, **__: None))
-
-
-def stream(*_, **__):
-    """An order of work. Here all is done in the program's own."""
-    return doing_nothing("synchronize", "wait_stream", "wait_event", "record_event")
-
-
-class Event:
-    """A moment, as torch.cuda.Event keeps it."""
+class Idle:
+    """A stream, an event or a profiler of the card. All is done in the program's own order, so
+    nothing waits, and whatever is asked for is done.
+    """
 
     def __init__(self, *_, **__):
         self.time = None
+
+    def __getattr__(self, _):
+        return lambda *_, **__: True
 
     def record(self, *_):
         self.time = time.perf_counter()
@@ -143,9 +149,6 @@ class Event:
     def elapsed_time(self, end):
         """Milliseconds."""
         return 1000 * (end.time - self.time)
-
-    def synchronize(self):
-        """Nothing runs beside the program."""
 
 
 def pretend():
@@ -181,11 +184,12 @@ def pretend_cuda():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
-    torch.cuda.Event, torch.Generator, torch.cuda.stream = Event, Generator, contextlib.nullcontext
-    torch.cuda.Stream = torch.cuda.current_stream = torch.cuda.default_stream = stream
+    torch.Generator, torch.cuda.stream = Generator, contextlib.nullcontext
+    for name in "Event", "Stream", "current_stream", "default_stream":
+        setattr(torch.cuda, name, Idle)
     torch.cuda.get_rng_state = lambda *_: torch.get_rng_state()
     torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
-    torch.cuda.nvtx = doing_nothing("range_push", "range_pop", "mark")
+    torch.cuda.nvtx = Idle()
     torch.cuda.nvtx.range = contextlib.nullcontext
 
 
@@ -200,21 +204,17 @@ def on_processor(function):
     return made
 
 
-def moved(tensor, to, *args, **kwargs):
-    """Tensor.to, which takes a device first or by name.
+def moved(tensor, to, device=None, *others, **named):
+    """Tensor.to, which takes a device first or by name; or what has a type, first.
 
     What is moved shares no memory with what stays, as between processor and graphics card. A leaf
     that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
-    device = kwargs.get("device", args[0] if args else None)
     is_there = is_cuda(device)
-    if is_there:
-        args = args if "device" in kwargs else ("cpu", *args[1:])
-        kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
-    elif not isinstance(device, str | torch.device):
-        return to(tensor, *args, **kwargs)
+    if not is_there and not isinstance(device, str | torch.device):
+        return to(tensor, device, *others, **named)
     with torch._C.DisableTorchFunction():  # else Strict would come here again
-        made = to(tensor, *args, **kwargs)
+        made = to(tensor, "cpu" if is_there else device, *others, **named)
     is_known = card.has(tensor) or isinstance(tensor, torch.nn.Parameter)
     if made is tensor and not (is_there and tensor.requires_grad and is_known):
         made = made.clone()
