@@ -58,16 +58,11 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     sys.argv[:] = str(script), *arguments
     first = str(Path.cwd() if is_module else path.parent)
     sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
-    if tensors.labs.package == "labs":
-        name_wrong("" if is_module else path.read_text("utf-8", "replace"))
+    name_wrong("" if is_module else path.read_text("utf-8", "replace"))
     pretend()
-    if is_strict:
-        card.refuse()
-    start = (functools.partial(runpy.run_module, script, alter_sys=True) if is_module
-             else functools.partial(runpy.run_path, str(path)))
     with whose.exercises_named(), needs_named(script):
         try:
-            start(run_name="__main__")
+            started(script, is_module, is_strict)
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
@@ -76,10 +71,22 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     return 0
 
 
+def started(script, is_module, is_strict):
+    """The program itself."""
+    if is_strict:
+        card.refuse()
+    if is_module:
+        runpy.run_module(script, run_name="__main__", alter_sys=True)
+    else:
+        runpy.run_path(str(Path(script).resolve()), run_name="__main__")
+
+
 def name_wrong(program):
     """Print which exercises in labs/ are not written or fail a check, in a line if any: of those
     behind the operations that a program's text names. If it names none, its modules do: of all.
     """
+    if tensors.labs.package != "labs":
+        return
     from labkit import verdicts  # and so pytest
     from labkit.checks import runner
     rows = re.findall(BEHIND, Path(__file__).with_name("README.md").read_text("utf-8"))
