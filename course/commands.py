@@ -59,12 +59,14 @@ def reconstruct(asked):
     WORKS,
     option("-m", action="store_true", dest="is_module",
            help="SCRIPT.py is the name of a module, as in python -m"),
+    option("--strict", action="store_true",
+           help="refuse what a graphics card refuses: float64, and tensors that were not moved"),
     option("script", metavar="SCRIPT.py", help="the program"),
     option("args", nargs=argparse.REMAINDER, metavar="ARGS", help="and its own arguments"))
 def run(asked):
     """Run a program that uses nvdiffrast or neural_renderer, unchanged."""
     from apps.bridge import program
-    return program.run(asked.script, asked.args, asked.impl, asked.is_module)
+    return program.run(asked.script, asked.args, asked.impl, asked.is_module, asked.strict)
 
 
 @command(

@@ -5,6 +5,7 @@ folder, and "cuda" means the processor.
 """
 import contextlib
 import functools
+import importlib.util
 import os
 import platform
 import re
@@ -17,11 +18,12 @@ from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
 import torch
-from torch.utils.weak import WeakTensorKeyDictionary
 
 from course.given import whose
+from labkit import exercises
+from labkit.table import COMMAND
 
-from . import tensors
+from . import card, tensors
 
 INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own names
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
@@ -34,14 +36,15 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
            "mem_get_info": (1 << 33, 1 << 34), "memory_summary": "", "is_bf16_supported": True,
            "ipc_collect": None, "reset_peak_memory_stats": None, **dict.fromkeys(
                ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
+BEHIND = re.compile(r"^\| `(?:dr|nr)\.(\w+)` (.*)$", re.MULTILINE)  # README's row of a call
+WRONG = {"not started": "not written", "failed": "failing"}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
-ON_CARD = WeakTensorKeyDictionary()  # tensors that were moved, or made there
 
 
-def run(script, arguments, implementation=None, is_module=False):
+def run(script, arguments, implementation=None, is_module=False, is_strict=False):
     """Run a program as `python SCRIPT ARGUMENTS` would, or `python -m SCRIPT ARGUMENTS`, by the
-    reference or by labs/.
+    reference or by labs/. is_strict: refuse what a graphics card refuses.
 
     ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
     Lacking: it needs an exercise that is not written.
@@ -52,13 +55,14 @@ def run(script, arguments, implementation=None, is_module=False):
     tensors.labs = whose.Labs(implementation)
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
-    pretend()
     sys.argv[:] = str(script), *arguments
     first = str(Path.cwd() if is_module else path.parent)
     sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
+    name_wrong("" if is_module else path.read_text("utf-8", "replace"))
+    pretend()
     with whose.exercises_named(), needs_named(script):
         try:
-            started(script, is_module)
+            started(script, is_module, is_strict)
         except OSError as error:  # of its own: for the command line it would be one of the course
             if WANTS_MORE.search(str(error)):
                 raise
@@ -67,12 +71,35 @@ def run(script, arguments, implementation=None, is_module=False):
     return 0
 
 
-def started(script, is_module):
+def started(script, is_module, is_strict):
     """The program itself."""
+    if is_strict:
+        card.refuse()
     if is_module:
         runpy.run_module(script, run_name="__main__", alter_sys=True)
     else:
         runpy.run_path(str(Path(script).resolve()), run_name="__main__")
+
+
+def name_wrong(program):
+    """Print which exercises in labs/ are not written or fail a check, in a line if any: of those
+    behind the operations that a program's text names. If it names none, its modules do: of all.
+    """
+    if tensors.labs.package != "labs":
+        return
+    from labkit import verdicts  # and so pytest
+    from labkit.checks import runner
+    rows = re.findall(BEHIND, Path(__file__).with_name("README.md").read_text("utf-8"))
+    named = [row for name, row in rows if re.search(rf"\.{name}|import.*{name}", program)]
+    labs, _ = exercises.asked_for(None)
+    code, = importlib.util.find_spec("labs").submodule_search_locations
+    numbers = {*re.findall(r"\d+\.\d+", str(named or rows))}
+    checks, _ = runner.run_checks(labs, numbers - verdicts.closed_extras(labs, Path(code)), code, 0)
+    wrong = dict.fromkeys(f"{check.exercise} {WRONG[check.verdict]}" for check in checks
+                          if check.verdict in WRONG and not check.fine_print)
+    if wrong:
+        print(f"course: of what it may call, {', '.join(wrong)}; {COMMAND} check NUMBER says more",
+              file=sys.stderr, flush=True)
 
 
 @contextlib.contextmanager
@@ -112,21 +139,16 @@ class DataParallel(torch.nn.Module):
         return self.module(*args, **kwargs)
 
 
-def doing_nothing(*names):
-    """An object whose functions of these names do nothing."""
-    return types.SimpleNamespace(**dict.fromkeys(names, lambda *_, **__: None))
-
-
-def stream(*_, **__):
-    """An order of work. Here all is done in the program's own."""
-    return doing_nothing("synchronize", "wait_stream", "wait_event", "record_event")
-
-
-class Event:
-    """A moment, as torch.cuda.Event keeps it."""
+class Idle:
+    """A stream, an event or a profiler of the card. All is done in the program's own order, so
+    nothing waits, and whatever is asked for is done.
+    """
 
     def __init__(self, *_, **__):
         self.time = None
+
+    def __getattr__(self, _):
+        return lambda *_, **__: True
 
     def record(self, *_):
         self.time = time.perf_counter()
@@ -134,9 +156,6 @@ class Event:
     def elapsed_time(self, end):
         """Milliseconds."""
         return 1000 * (end.time - self.time)
-
-    def synchronize(self):
-        """Nothing runs beside the program."""
 
 
 def pretend():
@@ -149,15 +168,17 @@ def pretend():
             setattr(torch, name, on_processor(made))
     for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
         setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
-    torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
-    torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
-    torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
+    to = torch.Tensor.to
+    torch.Tensor.to = lambda tensor, *args, **kwargs: moved(tensor, to, *args, **kwargs)
+    torch.Tensor.cuda = lambda tensor, *_, **__: moved(tensor, to, "cuda")
+    torch.Tensor.cpu = lambda tensor, *_, **__: moved(tensor, to, "cpu")
     torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
     torch.Tensor.device = property(lambda _: torch.device("cpu", 0))  # whose index is a number
     torch.Tensor.is_cuda = property(lambda _: True)
     torch.Tensor.get_device = lambda _: 0
     load = torch.load
-    torch.load = lambda file, map_location=None, *args, **kwargs: load(file, "cpu", *args, **kwargs)
+    torch.load = lambda file, map_location=None, *args, **kwargs: card.put(
+        load(file, "cpu", *args, **kwargs), str(map_location) != "cpu")
     torch.nn.DataParallel = torch.nn.parallel.DataParallel = DataParallel
     torch.compile = lambda function=None, **_: function or (lambda function: function)
     pretend_cuda()
@@ -170,11 +191,12 @@ def pretend_cuda():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
-    torch.cuda.Event, torch.Generator, torch.cuda.stream = Event, Generator, contextlib.nullcontext
-    torch.cuda.Stream = torch.cuda.current_stream = torch.cuda.default_stream = stream
+    torch.Generator, torch.cuda.stream = Generator, contextlib.nullcontext
+    for name in "Event", "Stream", "current_stream", "default_stream":
+        setattr(torch.cuda, name, Idle)
     torch.cuda.get_rng_state = lambda *_: torch.get_rng_state()
     torch.cuda.set_rng_state = lambda state, *_: torch.set_rng_state(state)
-    torch.cuda.nvtx = doing_nothing("range_push", "range_pop", "mark")
+    torch.cuda.nvtx = Idle()
     torch.cuda.nvtx.range = contextlib.nullcontext
 
 
@@ -184,36 +206,33 @@ def on_processor(function):
     def made(*args, **kwargs):
         if not is_cuda(kwargs.get("device")):
             return function(*args, **kwargs)
-        result = function(*args, **{**kwargs, "device": "cpu"})
-        if isinstance(result, torch.Tensor):
-            ON_CARD[result] = True
-        return result
+        return card.put(function(*args, **{**kwargs, "device": "cpu"}))
 
     return made
 
 
-def moved(tensor, to, *args, **kwargs):
-    """Tensor.to, which takes a device first or by name.
+def moved(tensor, to, device=None, *others, **named):
+    """Tensor.to, which takes a device first or by name; or what has a type, first.
 
     What is moved shares no memory with what stays, as between processor and graphics card. A leaf
     that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
-    device = kwargs.get("device", args[0] if args else None)
-    if is_cuda(device):
-        args = args if "device" in kwargs else ("cpu", *args[1:])
-        kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
-    elif not isinstance(device, str | torch.device):
-        return to(tensor, *args, **kwargs)
-    made = to(tensor, *args, **kwargs)
-    is_known = tensor in ON_CARD or isinstance(tensor, torch.nn.Parameter)
-    if made is tensor and not (is_cuda(device) and tensor.requires_grad and is_known):
+    is_there = is_cuda(device)
+    if not is_there and not isinstance(device, str | torch.device):
+        return to(tensor, device, *others, **named)
+    with torch._C.DisableTorchFunction():  # else Strict would come here again
+        made = to(tensor, "cpu" if is_there else device, *others, **named)
+    is_known = card.has(tensor) or isinstance(tensor, torch.nn.Parameter)
+    if made is tensor and not (is_there and tensor.requires_grad and is_known):
         made = made.clone()
-    if is_cuda(device):
-        ON_CARD[made] = True
+    card.place(made).is_on_card = is_there
     return made
 
 
 def is_cuda(device):
-    """Does this argument of PyTorch name a graphics card? A number does, too."""
-    return type(device) is int or (isinstance(device, str | torch.device)
-                                   and str(device).startswith("cuda"))
+    """Does this argument of PyTorch name a graphics card? A number does, and so does cpu:0, which
+    tensors say here.
+    """
+    if isinstance(device, torch.device):
+        return device.type == "cuda" or device.index == 0
+    return type(device) is int or (isinstance(device, str) and device.startswith(("cuda", "cpu:")))

@@ -1,4 +1,6 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
+import functools
+
 import numpy as np
 import torch
 from torch.autograd.function import once_differentiable
@@ -49,13 +51,20 @@ def array(name, tensor, shape, types=FLOATS):
         raise RuntimeError(f"{name} must be of {types[0]}, not {tensor.dtype}")
     if not tensor.is_contiguous():
         raise RuntimeError(f"{name} must be contiguous: give {name}.contiguous()")
-    lengths = shape.split()
-    if len(lengths) != tensor.ndim or not all(
-            length == int(wanted) if wanted.isdigit() else length > 0
-            for length, wanted in zip(tensor.shape, lengths, strict=True)):
-        raise RuntimeError(f"{name} must have the shape ({', '.join(lengths)}), nothing of it "
-                           f"empty; it has {tuple(tensor.shape)}")
-    return tensor.detach().numpy()
+    if not fits(tensor.shape, shape):
+        raise RuntimeError(f"{name} must have the shape ({', '.join(shape.split())}), nothing of "
+                           f"it empty; it has {tuple(tensor.shape)}")
+    with torch._C.DisableTorchFunction():  # strictly, NumPy takes nothing that is on the card
+        return tensor.detach().numpy()
+
+
+@functools.lru_cache
+def fits(lengths, shape):
+    """Are a tensor's lengths those of a shape?"""
+    wanted = shape.split()
+    return len(lengths) == len(wanted) and all(
+        length == int(name) if name.isdigit() else length > 0
+        for length, name in zip(lengths, wanted, strict=True))
 
 
 def joined(arrays, like, shape=None):

@@ -11,6 +11,8 @@ rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db du/dX, du/dY, dv
 
 Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
+import functools
+
 import numpy as np
 
 from course.given import inputs
@@ -107,6 +109,7 @@ def sound(clip, faces):
     return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
 
 
+@functools.lru_cache
 def weights_as_uv(count, first, epsilon):
     """uv, uv_faces and epsilon of a Wrapped of so many faces, whose u and v are two of the corners'
     weights, from the first of these on.

@@ -297,9 +297,9 @@ def flat(face_index):
 def runs_in_bands(face_index):
     """The runs of a picture (H, W), in bands of about so many pixels as a thread takes."""
     runs = seen_runs(flat(face_index))
-    count = 1 + face_index.size // pyramid_kernels.STEP
-    return [(Runs(*band),) for band in zip(*(np.array_split(part, count) for part in runs),
-                                           strict=True)]
+    size = 1 + len(runs.start) // (1 + face_index.size // pyramid_kernels.STEP)
+    return [(Runs(*(part[k:k + size] for part in runs)),)
+            for k in range(0, len(runs.start), size)]
 
 
 def footprints(clip, face_index, faces, uv, uv_faces, bands):

@@ -10,6 +10,7 @@ import numpy as np
 import torch
 
 from apps.bridge import tensors
+from apps.bridge.card import put
 from apps.bridge.tensors import array, require
 from course.given import image, inputs
 from labkit import places
@@ -53,7 +54,7 @@ def load_obj(filename_obj, normalization=True, texture_size=4, load_texture=Fals
         low, high = vertices.min(0), vertices.max(0)
         require((low < high).any(), f"all of {path} is in one place: load it as it is")
         vertices = (2 * vertices - low - high) / (high - low).max()
-    mesh = torch.from_numpy(vertices).float(), torch.from_numpy(faces).int()
+    mesh = put((torch.from_numpy(vertices).float(), torch.from_numpy(faces).int()))
     if not load_texture:
         return mesh
     require(library, f"{path} names no file of materials (mtllib): load it without textures")
@@ -64,7 +65,7 @@ def load_obj(filename_obj, normalization=True, texture_size=4, load_texture=Fals
         of = np.flatnonzero(np.array(used) == name)
         textures[of] = look if look.ndim == 1 else looked_up(look, at[of], texture_wrapping,
                                                              use_bilinear)
-    return *mesh, torch.from_numpy(textures).float()
+    return *mesh, put(torch.from_numpy(textures).float())
 
 
 def read(path):

@@ -72,9 +72,8 @@ class Antialias(torch.autograd.Function):
         grads = (ctx.lab8.blend_pairs_backward(*each, EPSILON)
                  for each in zip(*given, strict=True))
         grad_color, grad_clip = zip(*grads, strict=True)
-        grad_clip = grad_clip if pos.ndim == 3 else [sum(grad_clip)]
-        grad_clip = [ctx.boost * each for each in grad_clip]
-        return joined(grad_color, color), None, joined(grad_clip, pos), None, None, None
+        grad_pos = ctx.boost * joined(grad_clip if pos.ndim == 3 else [sum(grad_clip)], pos)
+        return joined(grad_color, color), None, grad_pos, None, None, None
 
 
 def vertices(pos, count):

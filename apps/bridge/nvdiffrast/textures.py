@@ -154,9 +154,9 @@ class Texture(torch.autograd.Function):
     """Lab 6. All pictures that share a texture are one, one above the other."""
 
     @staticmethod
-    def forward(ctx, tex, uv, uv_da, bias, reading, *stack):
+    def forward(ctx, tex, uv, uv_da, mip_level_bias, reading, *mip):
         ctx.reading = reading
-        ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
+        ctx.save_for_backward(tex, uv, uv_da, mip_level_bias, *mip)
         colours = [looked_up(*each, reading.how.sampler)
                    for each in zip(reading.levels, reading.places, strict=True)]
         found = joined(colours, tex, (*uv.shape[:3], tex.shape[-1]))

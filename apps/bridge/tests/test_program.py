@@ -47,6 +47,15 @@ rast, _ = dr.rasterize(context, clip, tri, (4, 6))
 print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
 sys.exit(3)
 '''
+REFUSED = {
+    "dr.rasterize(context, clip.cpu(), tri, (4, 6))": "rasterize: pos must be on the card: give po",
+    "dr.rasterize(context, 1.0 * clip.double(), tri, (4, 6))": "rasterize: pos is of torch.float64",
+    "dr.rasterize(context, clip[0], tri, (4, 6), tri)": "rasterize: ranges must be on the process",
+    "dr.texture(rast.cpu(), rast[..., :2].contiguous())": "texture: tex must be on the card: give",
+    "Rasterize(4, 0, 9, 0, 0)(clip.cpu()[..., None].expand(1, 3, 4, 3))": "picture: faces must be",
+    "clip + clip.cpu()": "add takes tensors on one device, and here one is on the card, another on",
+    "torch.nn.Linear(4, 4)(clip)": "linear takes tensors on one device, and here one is on the car",
+    "np.asarray(clip)": "NumPy takes no tensor that is on the card: give .cpu() of it"}
 INSTALLED = '''
 import multiprocessing, site, sys
 site.addsitedir(sys.argv[1])  # as Python does with the folder that pip installs into
@@ -72,7 +81,7 @@ def run(folder, program, *options):
     return done.returncode, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("options", [(), ("-m",)])
+@pytest.mark.parametrize("options", [(), ("-m",), ("--strict",)])
 def test_a_cuda_program_runs_on_the_processor(options, tmp_path):
     """It needs a character changed, or what it moved to the card changes with what stayed."""
     status, said = run(tmp_path, WHOLE, *options)
@@ -91,6 +100,13 @@ def test_what_a_program_lacks_is_one_sentence(program, said, tmp_path):
     assert status == 2 and said in printed and "Traceback" not in printed
 
 
+def test_strictly_what_a_card_refuses_is_refused(tmp_path):
+    """A program ends there that ran here, or what it may do is refused."""
+    calls = [f"try: {call}\nexcept RuntimeError as error: print(error)" for call in REFUSED]
+    status, printed = run(tmp_path, WHOLE.replace("sys.exit(3)", "\n".join(calls)), "--strict")
+    assert status == 0 and all(said in printed for said in REFUSED.values()), printed
+
+
 @pytest.mark.parametrize("error", ["KeyError", "OSError", "ValueError", "RuntimeError"])
 def test_an_error_of_the_program_is_its_own(error, tmp_path):
     """A defect is hidden behind a sentence of the course."""
@@ -102,6 +118,17 @@ def test_an_exercise_that_is_not_written_is_named(tmp_path):
     """--impl labs runs the reference."""
     status, printed = run(tmp_path, WHOLE, "--impl", "labs")
     assert status == 2 and "is not written yet; python3 -m course check 1." in printed
+
+
+def test_an_exercise_that_is_wrong_is_named_at_the_start(tmp_path):
+    """It leads the program astray in silence."""
+    shutil.copytree(ROOT / "labs", tmp_path / "labs")  # they come before the course's own
+    for topic in "transforms", "antialiasing":
+        answers = (ROOT / "reference" / f"{topic}.py").read_text()
+        answers = answers.replace("-grad_alpha,", "grad_alpha,")
+        (tmp_path / "labs" / f"{topic}.py").write_text(answers)
+    _, printed = run(tmp_path, "import nvdiffrast.torch as dr; dr.antialias", "--impl", "labs")
+    assert "course: of what it may call, 8.11 failing, 8.6 not written, 8.7 not writt" in printed
 
 
 @pytest.mark.parametrize(("text", "said"), [
