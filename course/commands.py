@@ -95,7 +95,8 @@ def test(asked):
     # labs/ is not for lint: it is made from reference/, or a student's own.
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"), str(ROOT))
     left_out = () if asked.all else ("-m", "not weekly")
-    tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
+    tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal",
+                       "--durations=10", *left_out)
     import labkit.upkeep.notebooks
     if older := labkit.upkeep.notebooks.older():
         print(f"{len(older)} lectures are older than their code, which is no mistake; "

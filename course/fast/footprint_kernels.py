@@ -16,6 +16,7 @@ import numpy as np
 from course.given.compiled import each_band, kernel
 
 from . import interpolation, pyramid_kernels, rasterization
+from .pixel_kernels import are_there
 
 # Pixels start <= pixel < end that see one face, the first the number-th that sees any: (R,) each.
 Runs = namedtuple("Runs", "start end number")
@@ -103,15 +104,6 @@ def change_of(weights, step, sum_of_steps, s):
 
 
 @kernel
-def has_corners(faces, uv_faces, face, vertex_count):
-    """Is it a face, and are its corners vertices?"""
-    if face >= min(len(faces), len(uv_faces)):
-        return False
-    a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-    return min(a, b, c) >= 0 and max(a, b, c) < vertex_count
-
-
-@kernel
 def footprints_along(runs, picture, mesh, at, footprint):
     """Writes at (N, 2 or more), footprint (N, 4) of runs. False: a face or vertex is not there."""
     face_index, width = picture
@@ -119,7 +111,7 @@ def footprints_along(runs, picture, mesh, at, footprint):
     starts, ends, numbers = runs
     for run in range(len(starts)):
         face = face_index[starts[run]]
-        if not has_corners(faces, uv_faces, face, len(screen)):
+        if face >= len(uv_faces) or not are_there(faces, face, len(screen)):
             return False
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
         corners = vector(screen, a), vector(screen, b), vector(screen, c)

@@ -2,8 +2,7 @@
 
 Units are pixels of a picture of SIDE x SIDE. The triangle's colour is 1, the background's is 0.
 """
-from collections.abc import Callable
-from typing import NamedTuple
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -50,15 +49,8 @@ def fit(labs, goal, antialiased, steps=300):
     return np.array(path), losses, np.array(gradients)
 
 
-class Renderer(NamedTuple):
-    """What can take the pipeline's place."""
-
-    render: Callable
-    render_backward: Callable
-
-
 def without_edges(labs):
-    """The pipeline without antialiasing: a Renderer."""
+    """The pipeline without antialiasing: its `render` and `render_backward`."""
     pipeline = labs.pipeline
 
     def render(mesh, material, view):
@@ -72,7 +64,7 @@ def without_edges(labs):
                                                                 view.clip_from_model)
         return pipeline.Gradients(grad_positions, grad_material, grad_matrix)
 
-    return Renderer(render, render_backward)
+    return SimpleNamespace(render=render, render_backward=render_backward)
 
 
 def template(labs):

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 
 from ..given import image, mesh
-from .drawing import BRASS, LIGHT, SIZE, painted, save, size_in_words, smooth, unit_bunny
+from .drawing import SIZE, lit, painted, save, size_in_words, smooth, unit_bunny
 from .portrait import BUNNY_EYE
 from .viewing import clip_positions
 
@@ -115,6 +115,5 @@ def faceted(labs, vertices, faces, eye):
     clip = clip_positions(labs, vertices, eye)
     face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
     seen = face_index >= 0
-    facing = mesh.face_normals(vertices, faces) @ LIGHT / np.linalg.norm(LIGHT)
-    shades = ((0.5 + 0.5 * facing) ** 2)[:, None] * BRASS
+    shades = lit(mesh.face_normals(vertices, faces))
     return painted(seen, image.to_srgb(shades[face_index[seen]]))

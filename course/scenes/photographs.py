@@ -54,8 +54,7 @@ def found_object(labs, x):
 def lamps(labs, towards, strength, even):
     """The light (9, 3) of lamps in these directions (N, 3), and of an even sky."""
     lab16 = labs.reconstruction
-    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
-    light = lab16.distant_light(towards, np.array(strength))
+    light = lab16.distant_light(mesh.unit(towards), np.array(strength))
     light[0] += even / lab16.C0
     return light
 

@@ -20,8 +20,7 @@ PANELS = (  # east and height of the middle, width and height in radians, colour
 def teapot():
     """The Utah teapot in the unit sphere, its patches sewn together -> vertices, faces."""
     vertices, faces = mesh.teapot()
-    vertices, one = np.unique(np.round(mesh.normalize(vertices), 6), axis=0, return_inverse=True)
-    faces = one[faces]
+    vertices, faces = mesh.merge(mesh.normalize(vertices).round(6), faces)
     return vertices, faces[(faces != np.roll(faces, 1, 1)).all(1)]
 
 

@@ -26,7 +26,7 @@ def shadow(labs):
     yield "soft shadow of a disc, PCSS with 32 places", None
 
     seen = face_index >= 0
-    facing = np.clip(cosine(light.position - points, normals), 0, 1)
+    facing = np.clip((mesh.unit(light.position - points) * normals).sum(1), 0, 1)
     colour = np.where(face_index[seen][:, None] < len(faces) - 2, BRASS, GROUND)
     for name, share in ("hard", hard), ("soft", soft):
         shades = image.to_srgb((0.12 + 0.88 * share * facing)[:, None] * colour)
@@ -61,11 +61,6 @@ def given_shadow(labs, vertices, faces, size):
     points = points[ground[face_index >= 0]]
     light = labs.lights.point_light(PLACE, vertices)
     return ground, ray_casting.ray_cast(points, vertices, faces, light), points
-
-
-def cosine(toward, normals):
-    """The cosines of the angles between vectors (N, 3) and unit normals (N, 3)."""
-    return (toward / np.linalg.norm(toward, axis=1, keepdims=True) * normals).sum(1)
 
 
 def on_the_ground(vertices, faces, lift=0.0):

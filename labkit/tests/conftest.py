@@ -1,11 +1,9 @@
-"""What a run of all tests does first and says at its end, and commands that run in this process."""
+"""What a run of all tests does first, and commands that run in this process."""
 import contextlib
 import io
 import signal
 import subprocess
 import sys
-from collections import Counter
-from itertools import chain
 
 import pytest
 
@@ -23,15 +21,6 @@ LONGEST = {"test_examine.py", "test_mistakes.py", "test_handout.py", "test_hosti
 def pytest_collection_modifyitems(items):
     """The longest files first, so that in the end no core waits for one test."""
     items.sort(key=lambda item: item.path.name not in LONGEST)
-
-
-def pytest_terminal_summary(terminalreporter):
-    """The ten files that took longest."""
-    seconds = Counter()
-    for report in chain.from_iterable(terminalreporter.stats.values()):
-        seconds[report.nodeid.partition("::")[0]] += getattr(report, "duration", 0)
-    for file, taken in seconds.most_common(10):
-        terminalreporter.write_line(f"{taken:6.1f} s  {file}")
 
 
 @pytest.fixture(scope="session")

@@ -47,13 +47,10 @@ def letters(text):
     return f"{{.letters}}\n{row}\n\n"
 
 
-def linked(text, place, lab=0, up=""):
+def linked(text, place):
     """Markdown of a file in the folder `place`, with links to pages and to functions of reference/.
-
-    lab: the one that it belongs to. up: "../" if its page stands in a folder of the site.
     """
-    return "\n\n".join(_with_functions(paragraph, lab, up)
-                       for paragraph in with_page_links(text, place).split("\n\n"))
+    return "\n\n".join(map(_with_functions, with_page_links(text, place).split("\n\n")))
 
 
 def with_page_links(text, place):
@@ -72,15 +69,15 @@ def with_page_links(text, place):
     return LINK.sub(page_link, text)
 
 
-def _with_functions(paragraph, lab, up):
+def _with_functions(paragraph):
     """The functions of reference/ that a paragraph names are links, each once."""
     seen = set()
 
     def link(name):
-        address = function_page(name[1], lab)
+        address = function_page(name[1], lab=0)
         if not address or address in seen:
             return name[0]
         seen.add(address)
-        return f'<a class="function" href="{up}{address}"><code>{name[1]}</code></a>'
+        return f'<a class="function" href="{address}"><code>{name[1]}</code></a>'
 
     return CODE.sub(link, paragraph)

@@ -24,17 +24,6 @@ def dots(axes):
     return drawn[bottom:top, left:right]
 
 
-def screen(height, width):
-    """An Axes with the coordinates of a picture of this size, and nothing in it."""
-    axes, = plot.panels([(height, width)])
-    plot.screen(axes, width, height)
-    return axes
-
-
-def texts(axes):
-    return [text.get_text() for text in axes.texts]
-
-
 def png(figure):
     content = io.BytesIO()
     figure.savefig(content, metadata={"Software": None})
@@ -137,11 +126,12 @@ def test_faces_have_stable_colours_that_differ_and_none_is_white():
 
 def test_zero_gradients_are_told_not_divided_by():
     """Arrows of length nan, or no word of what is missing."""
-    axes = screen(4, 4)
+    axes, = plot.panels([(4, 4)])
+    plot.screen(axes, 4, 4)
     plot.arrows(axes, np.ones((2, 2)), np.zeros((2, 2)))
     with np.errstate(all="raise"):
         dots(axes)
-    assert texts(axes) == ["no gradient"]
+    assert [text.get_text() for text in axes.texts] == ["no gradient"]
 
 
 def test_a_figure_is_small_and_does_not_tell_versions(rng):

@@ -134,8 +134,7 @@ def inside_a_sphere(face_count=80, width=17, height=13):
     rng = np.random.default_rng(4)
     vertices, faces = mesh.icosphere(face_count)
     projection = transforms.perspective(1.5, width / height, 0.1, 10.0)
-    clip = transforms.transform(transforms.to_homogeneous(vertices),
-                                projection @ transforms.translate(np.array([0.2, 0.1, -0.3])))
+    clip = pipeline.to_clip(vertices + [0.2, 0.1, -0.3], projection)
     uv, uv_faces = rng.uniform(-1, 2, (60, 2)), rng.integers(0, 60, faces.shape)
     return (pipeline.visible(clip, faces, width, height), faces,
             pipeline.Texture(uv, uv_faces, rng.normal(size=(16, 8, 3))))

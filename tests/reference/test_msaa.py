@@ -4,7 +4,7 @@ import pytest
 from screen_scenes import on_screen
 
 from course.given import mesh
-from reference import interpolation, msaa, rasterization, transforms
+from reference import interpolation, msaa, pipeline, rasterization, transforms
 
 
 def flat(colours):
@@ -18,7 +18,7 @@ def scene(width, height):
     view = transforms.translate(np.array([0.0, 0.0, -3.0])) \
         @ transforms.rotate(np.array([1.0, 0.3, 0.0]), 0.7)
     camera = transforms.perspective(1.0, width / height, 1.0, 9.0)
-    return transforms.transform(transforms.to_homogeneous(vertices), camera @ view), faces
+    return pipeline.to_clip(vertices, camera @ view), faces
 
 
 def below_line(slope, height_at_0, width, height):

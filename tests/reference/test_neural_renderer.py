@@ -6,7 +6,7 @@ from loose_faces import CAMERA, some_corners
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from labkit.checks import assert_equal
-from reference import interpolation, neural_renderer, rasterization, scanline, transforms
+from reference import interpolation, neural_renderer, pipeline, rasterization, scanline
 from tests.labs.test_neural_renderer import SLANTED, random_triangles
 
 WIDTH, HEIGHT = 23, 17
@@ -14,8 +14,7 @@ WIDTH, HEIGHT = 23, 17
 
 def teapot_clip():
     vertices, faces = mesh.teapot()
-    points = transforms.to_homogeneous(mesh.normalize(vertices))
-    return transforms.transform(points, CAMERA), faces
+    return pipeline.to_clip(mesh.normalize(vertices), CAMERA), faces
 
 
 def test_the_picture_is_that_of_lab_2():

@@ -10,7 +10,7 @@ from half_planes import half_plane_loop
 from screen_scenes import on_screen
 
 from course.given import arrays, mesh
-from reference import interpolation, rasterization, scanline, transforms
+from reference import interpolation, pipeline, rasterization, scanline, transforms
 from tests.labs import test_rasterization as lab_2
 
 GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")
@@ -130,8 +130,7 @@ def test_hostile_faces_agree_with_the_loop_to_the_bit(make):
 def test_the_order_of_corners_changes_nothing(near, unit):
     """A floor that begins below the camera: measured from the wrong corner, it vanishes."""
     floor = np.array([[-4.9, -1, -near], [4.9, -1, -near], [4.9, -1, -10], [-4.9, -1, -10]])
-    clip = unit * transforms.transform(transforms.to_homogeneous(floor),
-                                       transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
+    clip = unit * pipeline.to_clip(floor, transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
     px, py = (np.stack(np.meshgrid(np.arange(64), np.arange(64))) + 0.5) / 32 - 1
     w = -1 / py
     expected = (w > near) & (w < 10) & (np.abs(px * w) < 4.9)
@@ -158,9 +157,7 @@ def test_single_precision_is_taken_for_what_it_is():
 def test_chunks_change_nothing(monkeypatch):
     """A face or a row is lost or seen twice where one chunk ends and the next begins."""
     vertices, faces = mesh.torus(2000)
-    view = transforms.translate(np.array([0.0, 0.0, -3.0]))
-    projection = transforms.perspective(1.0, 1.0, 1.0, 9.0)
-    clip = transforms.transform(transforms.to_homogeneous(vertices), projection @ view)
+    clip = pipeline.to_clip(vertices - [0, 0, 3], transforms.perspective(1.0, 1.0, 1.0, 9.0))
     whole = scanline.rasterize(clip, faces, 90, 70)
     for size in (1, 100, 4000):
         monkeypatch.setattr(arrays, "CHUNK", size)

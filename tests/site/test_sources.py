@@ -145,12 +145,12 @@ def test_names_become_links_to_the_right_places():
 
 def test_a_text_links_the_functions_that_it_names_and_no_others():
     """`np.clip` leads to a function `clip`; a paragraph is full of one link; kernels are meant."""
-    def links(text, lab=0):
-        shown = texts_links.linked(text, "notebooks", lab, "../")
+    def links(text):
+        shown = texts_links.linked(text, "notebooks")
         return [link["href"] for link in BeautifulSoup(shown, "html.parser").find_all("a")]
-    place = "../reference/{0}.html#reference.{0}.{1}"
+    place = "reference/{0}.html#reference.{0}.{1}"
     assert links("`crossing` and `crossing`") == [place.format("antialiasing", "crossing")]
-    assert links("`crossing`", lab=17) == [place.format("pair_kernels", "crossing")]
+    assert names.function_page("crossing", 17) == place.format("pair_kernels", "crossing")
     assert links("`texture_cubes.render`") == [place.format("texture_cubes", "render")]
     assert links("`np.crossing`, `rasterize`, `unit_of_nothing`, ``crossing``, `mesh`") == []
     assert texts_links.linked("[a](../labs/outlines.py#b), [c](../LICENSE)", "notebooks") \

@@ -7,12 +7,6 @@ from apps.reconstruct import camera_files, captures
 from course.given import image, mesh
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """Six pictures, 48 x 32 pixels, of a ring at (1, 2, 3), and their cameras."""
-    return ring.nerf(ring.photograph(tmp_path))
-
-
 def test_a_folder_on_paper(folder):
     """The ball's centre is not the grid's, or the aspect is turned over."""
     photos = captures.read(ring.LABS, folder)

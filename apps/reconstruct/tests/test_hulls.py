@@ -8,12 +8,6 @@ from apps.reconstruct import camera_files, captures, hulls, silhouettes
 from course.given import image
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """Six pictures, 48 x 32 pixels, and their cameras."""
-    return ring.nerf(ring.photograph(tmp_path))
-
-
 def with_poses(folder, poses):
     return ring.nerf(folder, frames=ring.frames(poses))
 

@@ -9,12 +9,6 @@ from course.given import image
 SIDES = 32, 48
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """Six pictures with alpha, 48 x 32 pixels, and their cameras."""
-    return ring.nerf(ring.photograph(tmp_path))
-
-
 def opaque(folder):
     """Six pictures of the ring in a room of many colours, without alpha."""
     room = np.random.default_rng(0).uniform(size=(*SIDES, 3))
