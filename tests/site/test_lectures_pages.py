@@ -1,12 +1,18 @@
 """The lectures on the site: what the notebooks say is there, and more links."""
+import itertools
 import json
 import re
 
+import numpy as np
 import pytest
+import stills
 from bs4 import BeautifulSoup
 from checks import barriers
-from pages import formulas, inserts
+from pages import formulas, inserts, turntables
+from PIL import Image
 from serving import PAGES, ROOT, SITE, soup
+
+from labkit import exercises
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 
@@ -34,11 +40,49 @@ def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_
         added.put_in("**Drag** ([on the site](../site/README.md#edges)).")
     *placed, last = added.made
     for name in placed:
-        added.put_in(f"**Drag** ([on the site](../site/README.md#{name})).")
+        added.put_in(still_of(name))
     with pytest.raises(ValueError, match=f"no lecture has a place for {last}"):
         added.require_all()
     there = f"[On the site](../site/README.md#{last})"
-    assert added.put_in(f"**{there}** drag it.") == f"**Here** drag it.\n\n{added.made[last]}"
+    shown = added.put_in(f"**{there}** drag it.\n\n{still_of(last)}")
+    assert shown.startswith(f"**Here** drag it.\n\n{added.made[last]}")
+    added.require_all()
+
+
+def still_of(name):
+    """A paragraph with a figure's still, as lectures have it."""
+    return (f'<a href="../site/README.md#{name}"><img src="stills/{name}.webp" width="700" '
+            'alt="a figure"></a>')
+
+
+def test_where_a_figure_is_named_its_still_stands_and_each_has_one():
+    """In Jupyter a paragraph says "drag", above nothing; or the still of a figure that is gone."""
+    figures = {*inserts.answering(), *turntables.TURNED}
+    texts = ["\n\n".join(exercises.cells(path)) for path in NOTEBOOKS]
+    shown = [[found[0] for found in inserts.STILL.findall(text)] for text in texts]
+    assert shown == [inserts.LINK.findall(text) for text in texts]
+    assert sorted(itertools.chain(*shown)) == sorted(figures)
+    files = {path.stem: path.stat().st_size for path in stills.FOLDER.iterdir()}
+    assert files.keys() == figures and max(files.values()) <= 70_000
+
+
+@pytest.mark.parametrize("name", sorted(inserts.answering()))
+def test_a_still_shows_its_figure_as_it_is(name, new_page, address):
+    """The figure has changed since. Letters may be another machine's: large parts are compared."""
+    page = new_page(**stills.VIEW)
+    page.goto(f"{address}/{stills.places(SITE)[name]}")
+    now, then = (np.asarray(one.convert("L").resize((60, 40)), float) for one in (
+        stills.taken(page, name), Image.open(stills.FOLDER / f"{name}.webp")))
+    assert abs(now - then).mean() < 4
+
+
+def test_on_paper_a_figure_is_its_still(page, address):
+    """The one picture that explains the section is missing in print."""
+    page.goto(f"{address}/lectures/08_antialiasing.html")
+    both = ".answers", "img.still"
+    assert [page.locator(one).is_visible() for one in both] == [True, False]
+    page.emulate_media(media="print")
+    assert [page.locator(one).is_visible() for one in both] == [False, True]
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
