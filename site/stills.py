@@ -3,8 +3,8 @@
     python3 -m course site --stills    makes the site, and of its figures notebooks/stills/
 
 Chromium opens the site that was made, and takes each figure as it is before anybody touches it, so
-that no guess is answered. What says nothing then is played first. Of a film of a mesh that turns
-three frames stand side by side.
+that no guess is answered. What says little then is played first. Of a film of a mesh that turns
+four frames stand side by side.
 """
 import contextlib
 import io
@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 import numpy as np
 from pages import put
 from pages.turntables import TURNED
-from PIL import Image
+from PIL import Image, ImageOps
 from playwright.sync_api import sync_playwright
 
 from labkit.places import ROOT
@@ -62,20 +62,21 @@ def chromium():
 
 
 def taken(page, name):
-    """The picture of a figure on the open page."""
+    """The picture of a figure on the open page, without the white below it."""
     pane = page.locator(f"#figure-{name} .pane")
     pane.scroll_into_view_if_needed()
     if name in PLAYED:
         pane.get_by_role("button", name="Play").evaluate(PLAY, PLAYED[name])
     page.evaluate("new Promise(requestAnimationFrame)")
-    return Image.open(io.BytesIO(pane.screenshot())).convert("RGB")
+    picture = Image.open(io.BytesIO(pane.screenshot())).convert("RGB")
+    return picture.crop((0, 0, picture.width, ImageOps.invert(picture).getbbox()[3]))
 
 
 def turning(site, name):
-    """The first, the middle and the last frame of a film, whose file begins with the last."""
+    """Four frames of a film side by side, its first and its last, with which its file begins."""
     film = Image.open(site / "turns" / f"{name}.webp")
     frames = []
-    for k in 1, film.n_frames // 2, 0:
+    for k in *range(1, film.n_frames, film.n_frames // 3), 0:
         film.seek(k)
         frames.append(film.convert("RGB"))
     return Image.fromarray(np.hstack(frames))
