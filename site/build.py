@@ -85,11 +85,8 @@ def main(options):
         print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
               "python3 -m course site --serve")
         if "--stills" in options:
-            import stills  # needs Playwright, which Sphinx does not
-            try:
-                stills.write(TARGET)
-            except FileNotFoundError as error:
-                return f"course: {error}"
+            import stills  # needs a browser
+            stills.write(TARGET)
         if "--serve" in options:
             serve()
     return status

@@ -10,12 +10,13 @@ import contextlib
 import io
 import re
 import shutil
+import sys
 from urllib.parse import urlsplit
 
 import numpy as np
 from pages import put
 from pages.turntables import TURNED
-from PIL import Image, ImageOps
+from PIL import Image, ImageOps, ImageSequence
 from playwright.sync_api import sync_playwright
 
 from labkit.places import ROOT
@@ -23,40 +24,30 @@ from labkit.places import ROOT
 BROWSERS = "chromium", "chromium-browser", "google-chrome", "chrome"
 FOLDER = ROOT / "notebooks" / "stills"
 PLACE = re.compile(r'id="figure-([a-z]\w*)"')
-VIEW = {"viewport": {"width": 1280, "height": 1400}, "device_scale_factor": 2,
-        "color_scheme": "light", "reduced_motion": "reduce"}
 PLAYED = {"descent": 60, "sign_grid": 60}  # how many frames of it
-PLAY = """async (button, frames) => {
-  button.click();
-  for (let k = 0; k <= frames; k += 1) await new Promise(requestAnimationFrame);
-  button.click();
-}"""
+PLAY = """async (button, frames) => { button.click();
+  while (frames--) await new Promise(requestAnimationFrame); button.click(); }"""
 
 
 def write(site):
-    """Write the stills of a site's figures. FileNotFoundError: there is no browser."""
+    """Write the stills of a site's figures."""
     with chromium() as browser:
-        page = browser.new_page(**VIEW)
+        page = browser.new_page(device_scale_factor=2, reduced_motion="reduce")
         page.route("**/*", lambda route: route.fulfill(
             path=site / urlsplit(route.request.url).path.lstrip("/")))
-        for name, lecture in places(site).items():
-            page.goto(f"http://site/{lecture}")
-            still = turning(site, name) if name in TURNED else taken(page, name)
-            put(FOLDER / f"{name}.webp", packed(still))
-
-
-def places(site):
-    """{name: the lecture's page} of each figure of a site."""
-    return {name: f"lectures/{path.name}" for path in site.glob("lectures/*.html")
-            for name in PLACE.findall(path.read_text("utf-8"))}
+        for path in site.glob("lectures/*.html"):
+            for name in PLACE.findall(path.read_text("utf-8")):
+                page.goto(f"http://site/lectures/{path.name}")
+                still = turning(site, name) if name in TURNED else taken(page, name)
+                put(FOLDER / f"{name}.webp", packed(still))
 
 
 @contextlib.contextmanager
 def chromium():
-    """-> headless Chromium. FileNotFoundError: there is none."""
+    """-> headless Chromium. SystemExit: there is none."""
     found = next(filter(None, map(shutil.which, BROWSERS)), None)
     if not found:
-        raise FileNotFoundError(f"no browser: install one of {', '.join(BROWSERS)}")
+        sys.exit(f"course: no browser: install one of {', '.join(BROWSERS)}")
     with sync_playwright() as playwright:
         yield playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
 
@@ -74,20 +65,16 @@ def taken(page, name):
 
 def turning(site, name):
     """Four frames of a film side by side, its first and its last, with which its file begins."""
-    film = Image.open(site / "turns" / f"{name}.webp")
-    frames = []
-    for k in *range(1, film.n_frames, film.n_frames // 3), 0:
-        film.seek(k)
-        frames.append(film.convert("RGB"))
-    return Image.fromarray(np.hstack(frames))
+    with Image.open(site / "turns" / f"{name}.webp") as film:
+        frames = [frame.convert("RGB") for frame in ImageSequence.Iterator(film)]
+    return Image.fromarray(np.hstack(frames[1::len(frames) // 3] + frames[:1]))
 
 
 def packed(picture):
     """The bytes of a WebP: of a drawing in 64 colours without loss, of shades with little loss,
     whichever are fewer.
     """
-    both = io.BytesIO(), io.BytesIO()
-    picture.quantize(64, dither=Image.Dither.NONE).convert("RGB").save(both[0], "WEBP",
-                                                                      lossless=True)
-    picture.save(both[1], "WEBP", quality=60)
-    return min((one.getvalue() for one in both), key=len)
+    drawing, shades = io.BytesIO(), io.BytesIO()
+    picture.quantize(64).convert("RGB").save(drawing, "WEBP", lossless=True)
+    picture.save(shades, "WEBP", quality=60)
+    return min(drawing.getvalue(), shades.getvalue(), key=len)

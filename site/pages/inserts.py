@@ -15,8 +15,7 @@ takes the still's place. On paper, and where no script runs, a figure that answe
 import html
 import re
 
-from PIL import Image
-
+from course.given import image
 from labkit.places import ROOT
 
 from . import picture, put, turntables
@@ -24,7 +23,7 @@ from . import picture, put, turntables
 FIGURES = ROOT / "site" / "static" / "figures"
 LINK = re.compile(r"(?: \()?\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)?")
 STILL = re.compile(r'<a href="\.\./site/README\.md#(\w+)"><img src="(stills/\1\.webp)" '
-                   r'width="(\d+)" alt="([^"]+)"></a>')
+                   r'width="\d+" alt="([^"]+)"></a>')
 
 
 class Inserts:
@@ -48,15 +47,14 @@ class Inserts:
 
     def _figure(self, still):
         """What takes a still's place. Of a film the site has a still already."""
-        name, file, width, words = still.groups()
+        name, file, words = still.groups()
         self.placed.add(name)
         path = ROOT / "notebooks" / file
         if name in turntables.TURNED or not path.exists():
             return self.made[name]
         put(self.extra / "lectures" / file, path.read_bytes())
-        across, down = Image.open(path).size
-        height = round(down * int(width) / across)
-        return self.made[name] + picture(file, html.unescape(words), width, height, ' class="still"')
+        return self.made[name] + picture(file, html.unescape(words), *image.size(path),
+                                         ' class="still"')
 
     def require_all(self):
         """ValueError: one has no place."""

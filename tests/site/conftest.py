@@ -15,7 +15,7 @@ def browser():
     try:
         with stills.chromium() as started:
             yield started
-    except FileNotFoundError as error:
+    except SystemExit as error:
         pytest.skip(str(error))
 
 

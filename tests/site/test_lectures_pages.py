@@ -3,13 +3,11 @@ import itertools
 import json
 import re
 
-import numpy as np
 import pytest
 import stills
 from bs4 import BeautifulSoup
 from checks import barriers
 from pages import formulas, inserts, turntables
-from PIL import Image
 from serving import PAGES, ROOT, SITE, soup
 
 from labkit import exercises
@@ -64,25 +62,6 @@ def test_where_a_figure_is_named_its_still_stands_and_each_has_one():
     assert sorted(itertools.chain(*shown)) == sorted(figures)
     files = {path.stem: path.stat().st_size for path in stills.FOLDER.iterdir()}
     assert files.keys() == figures and max(files.values()) <= 70_000
-
-
-@pytest.mark.parametrize("name", sorted(inserts.answering()))
-def test_a_still_shows_its_figure_as_it_is(name, new_page, address):
-    """The figure has changed since. Letters may be another machine's: large parts are compared."""
-    page = new_page(**stills.VIEW)
-    page.goto(f"{address}/{stills.places(SITE)[name]}")
-    now, then = (np.asarray(one.convert("L").resize((60, 40)), float) for one in (
-        stills.taken(page, name), Image.open(stills.FOLDER / f"{name}.webp")))
-    assert abs(now - then).mean() < 4
-
-
-def test_on_paper_a_figure_is_its_still(page, address):
-    """The one picture that explains the section is missing in print."""
-    page.goto(f"{address}/lectures/08_antialiasing.html")
-    both = ".answers", "img.still"
-    assert [page.locator(one).is_visible() for one in both] == [True, False]
-    page.emulate_media(media="print")
-    assert [page.locator(one).is_visible() for one in both] == [False, True]
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
@@ -173,8 +152,8 @@ def test_the_words_of_a_button_are_its_name(page, address):
 
 
 def test_a_lecture_on_paper_in_the_dark_and_by_the_copy_button(page, address):
-    """"Skip to content" is printed over the text; white pictures glare; outputs are copied, and
-    letters of code are too small to read.
+    """"Skip to content" is printed over the text, and a figure's paragraph above nothing; white
+    pictures glare; outputs are copied, and letters of code are too small to read.
     """
     page.goto(f"{address}/lectures/02_rasterization.html")
     page.locator(".cell_input .copybtn").first.wait_for(state="attached")
@@ -186,7 +165,10 @@ def test_a_lecture_on_paper_in_the_dark_and_by_the_copy_button(page, address):
     assert picture.evaluate(style, "filter") == "brightness(1)"
     page.emulate_media(color_scheme="dark")
     assert picture.evaluate(style, "filter") == "brightness(0.82)"
+    both = [page.locator(".answers"), page.locator("img.still")]
+    assert [one.is_visible() for one in both] == [True, False]
     page.emulate_media(media="print")
+    assert [one.is_visible() for one in both] == [False, True]
     assert page.locator(".skip-to-content").evaluate(style, "display") == "none"
 
 
