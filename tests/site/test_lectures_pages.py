@@ -61,7 +61,7 @@ def test_where_a_figure_is_named_its_still_stands_and_each_has_one():
     assert shown == [inserts.LINK.findall(text) for text in texts]
     assert sorted(itertools.chain(*shown)) == sorted(figures)
     files = {path.stem: path.stat().st_size for path in stills.FOLDER.iterdir()}
-    assert files.keys() == figures and max(files.values()) <= 70_000
+    assert files.keys() == figures and max(files.values()) <= 75_000
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
