@@ -73,10 +73,13 @@ def run(asked):
     WORK, "site",
     option("--serve", action="store_true", help="show it in the browser, until Ctrl-C"),
     option("--python", metavar="DIR",
-           help="a folder with Pyodide, for exercises without a network"))
+           help="a folder with Pyodide, for exercises without a network"),
+    option("--stills", action="store_true",
+           help="take its figures' stills for the lectures, with Chromium"))
 def site(asked):
     """Make the web site in out/site/. Lectures are shown as they are saved."""
-    return make_site(*["--serve"] * asked.serve, *["--python", asked.python] * bool(asked.python))
+    return make_site(*["--serve"] * asked.serve, *["--stills"] * asked.stills,
+                     *["--python", asked.python] * bool(asked.python))
 
 
 def make_site(*wishes):

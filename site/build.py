@@ -4,6 +4,7 @@ the lectures' slides, in out/slides.
     python3 -m course site            the site in out/site; lectures are shown as they are saved
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --python DIR    its exercises run the Pyodide in this folder
+    python3 -m course site --stills   and its figures' stills, for the lectures' notebooks
 
 The new site replaces the old one when it is whole.
 """
@@ -83,6 +84,9 @@ def main(options):
     if not status:
         print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
               "python3 -m course site --serve")
+        if "--stills" in options:
+            import stills  # needs a browser
+            stills.write(TARGET)
         if "--serve" in options:
             serve()
     return status

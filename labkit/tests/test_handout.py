@@ -109,9 +109,14 @@ def test_labs_what_they_need_their_checks_and_lectures_are_there(
     assert not there & {"reference", "tests/project", "apps/bridge/tests"}
 
 
-def test_lectures_import_the_labs(handed_out):
-    """A lecture imports a reference that is not there, or not one that is."""
+def test_lectures_import_the_labs_and_show_their_pictures(handed_out):
+    """A lecture imports a reference that is not there, or not one that is; the still of a figure is
+    missing, or leads to a site that no student has.
+    """
     for path in handed_out.glob("notebooks/*.ipynb"):
+        text = "\n".join(lines_of(path))
+        assert all((path.parent / name).exists() for name in re.findall('<img src="([^"]+)"', text))
+        assert "../site/" not in text
         packages = {line.split()[1] for line in lines_of(path)
                     if re.match(r"from (labs|reference) import", line)}
         assert packages == {"00": set(), "01": {"reference"}}.get(path.stem[:2], {"labs"}), path

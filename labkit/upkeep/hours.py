@@ -20,6 +20,7 @@ PRINTED = [places.ROOT / page
 WORDS_A_MINUTE = 75
 MINUTES_A_FIGURE = 1
 MINUTES_A_POINT = 6
+TAG = re.compile("<[^>]*>")  # the words for who does not see a picture are in one
 LEFT = "*Further reading", "## On paper", "## Sources"
 
 
@@ -34,7 +35,7 @@ def sections(path):
             if part.startswith("## "):
                 title, left = part.partition("\n")[0][3:], page_left
             left = left or any(mark in part for mark in LEFT)
-            took = len(part.split()) / WORDS_A_MINUTE + MINUTES_A_FIGURE * figures
+            took = len(TAG.sub("", part).split()) / WORDS_A_MINUTE + MINUTES_A_FIGURE * figures
             minutes[title] = minutes.get(title, 0) + (0 if left else took)
     return minutes
 

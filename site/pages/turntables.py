@@ -38,8 +38,8 @@ def figure(folder, name, frames, seconds, words, caption):
     image.write_animation(film, [frames[-1], *frames[:-1]], seconds)
     count = webp(folder, name, Image.open(film))
     still = picture(f"../{folder.name}/{name}_still.webp", words, *image.size(film))
-    return (f'<figure class="animation" data-file="../{folder.name}/{name}.webp" '
-            f'data-frames="{count}">'
+    return (f'<figure class="animation" id="figure-{name}" data-frames="{count}" '
+            f'data-file="../{folder.name}/{name}.webp">'
             f"{still}<figcaption>{caption}</figcaption></figure>")
 
 

@@ -1,6 +1,5 @@
 """What the tests of the web site share: a browser, and pages that may not fail."""
 import re
-import shutil
 import sys
 
 import pytest
@@ -8,20 +7,16 @@ from serving import ROOT, SITE, served
 
 sys.path.insert(0, str(ROOT / "site"))  # for the tests of what makes the site
 
-BROWSERS = "chromium", "chromium-browser", "google-chrome", "chrome"
-
 
 @pytest.fixture(scope="session")
 def browser():
     """Headless Chromium. Without one, the tests that need it are skipped."""
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if not found:
-        pytest.skip(f"no browser: install one of {', '.join(BROWSERS)}")
-    from playwright.sync_api import sync_playwright
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
-        yield chromium
-        chromium.close()
+    import stills
+    try:
+        with stills.chromium() as started:
+            yield started
+    except SystemExit as error:
+        pytest.skip(str(error))
 
 
 @pytest.fixture(scope="session")

@@ -1,12 +1,16 @@
 """The lectures on the site: what the notebooks say is there, and more links."""
+import itertools
 import json
 import re
 
 import pytest
+import stills
 from bs4 import BeautifulSoup
 from checks import barriers
-from pages import formulas, inserts
+from pages import formulas, inserts, turntables
 from serving import PAGES, ROOT, SITE, soup
+
+from labkit import exercises
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 
@@ -34,11 +38,30 @@ def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_
         added.put_in("**Drag** ([on the site](../site/README.md#edges)).")
     *placed, last = added.made
     for name in placed:
-        added.put_in(f"**Drag** ([on the site](../site/README.md#{name})).")
+        added.put_in(still_of(name))
     with pytest.raises(ValueError, match=f"no lecture has a place for {last}"):
         added.require_all()
     there = f"[On the site](../site/README.md#{last})"
-    assert added.put_in(f"**{there}** drag it.") == f"**Here** drag it.\n\n{added.made[last]}"
+    shown = added.put_in(f"**{there}** drag it.\n\n{still_of(last)}")
+    assert shown.startswith(f"**Here** drag it.\n\n{added.made[last]}")
+    added.require_all()
+
+
+def still_of(name):
+    """A paragraph with a figure's still, as lectures have it."""
+    return (f'<a href="../site/README.md#{name}"><img src="stills/{name}.webp" width="700" '
+            'alt="a figure"></a>')
+
+
+def test_where_a_figure_is_named_its_still_stands_and_each_has_one():
+    """In Jupyter a paragraph says "drag", above nothing; or the still of a figure that is gone."""
+    figures = {*inserts.answering(), *turntables.TURNED}
+    texts = ["\n\n".join(exercises.cells(path)) for path in NOTEBOOKS]
+    shown = [[found[0] for found in inserts.STILL.findall(text)] for text in texts]
+    assert shown == [inserts.LINK.findall(text) for text in texts]
+    assert sorted(itertools.chain(*shown)) == sorted(figures)
+    files = {path.stem: path.stat().st_size for path in stills.FOLDER.iterdir()}
+    assert files.keys() == figures and max(files.values()) <= 75_000
 
 
 def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
@@ -129,8 +152,8 @@ def test_the_words_of_a_button_are_its_name(page, address):
 
 
 def test_a_lecture_on_paper_in_the_dark_and_by_the_copy_button(page, address):
-    """"Skip to content" is printed over the text; white pictures glare; outputs are copied, and
-    letters of code are too small to read.
+    """"Skip to content" is printed over the text, and a figure's paragraph above nothing; white
+    pictures glare; outputs are copied, and letters of code are too small to read.
     """
     page.goto(f"{address}/lectures/02_rasterization.html")
     page.locator(".cell_input .copybtn").first.wait_for(state="attached")
@@ -142,7 +165,10 @@ def test_a_lecture_on_paper_in_the_dark_and_by_the_copy_button(page, address):
     assert picture.evaluate(style, "filter") == "brightness(1)"
     page.emulate_media(color_scheme="dark")
     assert picture.evaluate(style, "filter") == "brightness(0.82)"
+    both = [page.locator(".answers"), page.locator("img.still")]
+    assert [one.is_visible() for one in both] == [True, False]
     page.emulate_media(media="print")
+    assert [one.is_visible() for one in both] == [False, True]
     assert page.locator(".skip-to-content").evaluate(style, "display") == "none"
 
 

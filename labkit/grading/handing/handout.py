@@ -98,7 +98,7 @@ def files(asked, released, extra):
     for path in (path for pattern in patterns for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if name not in TEACHERS:
-            text = unlinked(exercises.read(path), asked) if path.match("notebooks/*.md") else ""
+            text = unlinked(exercises.read(path), asked) if path.match("notebooks/*.*") else ""
             yield name, text.encode() or path.read_bytes()
     yield from labs_of(asked, released, extra)
     for topic in came_along(asked):
@@ -110,8 +110,8 @@ def files(asked, released, extra):
         if not released or not set(needed([], path)) <= set(released):
             text = switched(text)
         yield f"notebooks/{path.name}", unlinked(text, asked).encode()
-        for opening in path.parent.glob(f"openings/{path.stem}.png"):
-            yield f"notebooks/openings/{opening.name}", opening.read_bytes()
+        for name in re.findall(r'<img src=\\"((?:openings|stills)/[^"\\]+)', text):
+            yield from ((f"notebooks/{name}", file.read_bytes()) for file in path.parent.glob(name))
     yield "README.md", readme(asked, released).encode()
 
 
@@ -205,6 +205,7 @@ def without_marks(text):
 def unlinked(text, asked):
     """A lecture, or a page beside it, whose links to what is not handed out are words alone."""
     there = {path.name for path in [*lectures(asked), *places.ROOT.glob("notebooks/00*")]}
+    text = re.sub(r'<a href=\\"\.\./site/[^>]*>(<img [^>]*>)</a>', r"\1", text)
     return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb|\.\./site/README\.md)[^)]*\)",
                   lambda link: link[0] if link[2] in there else link[1], text)
 
