@@ -306,7 +306,8 @@ def test_a_known_mistake_is_told_of_the_part_in_which_it_is_seen(monkeypatch, ma
     check that passes, that shows in one column where another one is wrong, or in few checks.
     """
     monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
-        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}), ("twice", {"r": C, "s": C, "w": B})]})
+        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}),
+        ("twice", {"r": C, "s": C, "w": B})]})
     assert hints.in_part("1.1", hints.Pattern(marks, 9)) == told
     assert hints.in_words(("1", "2", "3", "4"), None) == "in 4 places"
 

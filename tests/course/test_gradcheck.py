@@ -218,7 +218,7 @@ WRONG_PRODUCTS = {  # backward, parts of what is told
     "factor": (lambda g, a, b: (g @ b.T, 2 * a.T @ g), "(b): 9 of 9 ... everything is 2 times"),
     "zero": (lambda g, a, b: (g @ b.T, 0 * b), "(b): 9 of 9 ... off; it is zero everywhere"),
     "column": (lambda g, a, b: (g @ b.T, a.T @ g * (np.arange(3) < 2)),
-               "input 1 (b): 3 of 9 ... off; it may be that it is zero in [..., 2]\n"),
+               "input 1 (b): 3 of 9 ... off; it may be that it is 0 everywhere in [..., 2]\n"),
     "shape": (lambda g, a, b: (g @ b.T, (a.T @ g)[:2]), "the gradient with respect to input 1 (b) "
               "must have that input's shape (3, 3); it has (2, 3)"),
     "too many": (lambda g, a, b: (g @ b.T, a.T @ g, g), f"{RETURNS} 3"),

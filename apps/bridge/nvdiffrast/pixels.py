@@ -105,7 +105,7 @@ class Rasterize(torch.autograd.Function):
     def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
         rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
-        ctx.seen, ctx.way = [], not GRID and tensors.kernels(pos) or sys.modules[__name__]
+        ctx.seen, ctx.way = [], (not GRID and tensors.kernels(pos)) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
             face_index, depth = ctx.way.draw_pixels(
                 clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
