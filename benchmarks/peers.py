@@ -169,7 +169,8 @@ def draw(by_faces, by_pixels):
         chart.set(title=title, xlabel=key, ylabel="ms of processor time")
         chart.legend(loc="upper left")
         chart.grid(color=plot.PALE)
-    plt.savefig(Path(__file__).with_suffix(".png"), dpi=2 * plt.rcParams["figure.dpi"])
+    plt.savefig(Path(__file__).with_suffix(".png"), dpi=2 * plt.rcParams["figure.dpi"],
+                bbox_inches="tight")
 
 
 if __name__ == "__main__":
