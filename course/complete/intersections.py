@@ -77,12 +77,12 @@ def followed(met, clip, faces, opposite, shape):
 
 def none_meet(pairs, clip):
     """Are the ends of all Pairs vertices of the mesh?"""
-    return np.max(pairs.ends, initial=-1) < len(clip)
+    return np.max(Pairs(*pairs).ends, initial=-1) < len(clip)
 
 
 def meetings(pairs, clip):
     """Those of the Pairs where surfaces meet. IndexError: their ends are not numbered."""
-    met = some(pairs, pairs.ends[0] >= len(clip))
+    met = some(pairs, Pairs(*pairs).ends[0] >= len(clip))
     if not np.array_equal(np.sort(met.ends, None), numbers(met, clip).ravel()):
         raise IndexError("pairs name vertices that are not there: give the Buffers of this picture")
     return met

@@ -196,10 +196,10 @@ def axes_in_words(got, right, inputs=()):
         return f"axis {axis[0]} is too many: is it to be summed, or is one number of it meant?"
     for name, array in inputs if right.dtype.kind in "fc" else ():
         shape = np.shape(as_array(array))
-        wrong, right = the_axis(shape, came), the_axis(shape, expected)
-        if wrong and right:
+        wrong, lost = the_axis(shape, came), the_axis(shape, expected)
+        if wrong and lost:
             return (f"without axis {wrong[0]}, {name} {shape} becomes {came}, and without axis "
-                    f"{right[0]} {expected}: is the sum over the wrong axis?")
+                    f"{lost[0]} {expected}: is the sum over the wrong axis?")
 
 
 def the_axis(long, short):

@@ -44,7 +44,6 @@ def summary(course, lab):
             f"{sum(exercise.is_extra for exercise in found)} extras.\n")
 
 
-
 def index(course):
     """All labs, with all their exercises."""
     parts = [f"# Labs\n\n{ABOUT}\n"]
