@@ -51,9 +51,9 @@ def parts(size, count):
     return [(size * k // count, size * (k + 1) // count) for k in range(count)]
 
 
-def in_bands(function, width, height):
-    """function(bottom, top) for bands of about BAND pixels, from bottom to top."""
-    return each_band(function, parts(height, max(min(height, width * height // BAND), 1)))
+def in_bands(function, width, height, pixels=BAND):
+    """function(bottom, top) for bands of about so many pixels, from bottom to top."""
+    return each_band(function, parts(height, max(min(height, width * height // pixels), 1)))
 
 
 def screen_vertices(clip, width, height):
@@ -175,7 +175,8 @@ def all_pairs(face_index, depth, clip, points, faces, opposite, walks=True):
         found = *(part[..., :count[0]].copy() for part in pairs), through[:, :count[1]].copy()
         return found, [beside[0]] * len(pairs) + [beside[1]]
 
-    found, beside = zip(*in_bands(band, width, height), strict=True)
+    pixels = BAND // 8 if len(faces) > width * height else BAND  # whose faces stay in the cache
+    found, beside = zip(*in_bands(band, width, height, pixels), strict=True)
     *pairs, (owner, other, face) = map(in_order, zip(*found, strict=True),
                                        zip(*beside, strict=True))
     through = outlines.Pairs(owner, other, *[None] * 4, face, None)

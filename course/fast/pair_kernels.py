@@ -52,6 +52,8 @@ def point(points, v):
 def is_clockwise(a, b, c):
     """Is the triangle clockwise, seen from the camera? w < 0 mirrors a corner."""
     area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)
+    if a.w > 0 and b.w > 0 and c.w > 0:
+        return area < 0
     return area * (np.sign(a.w) * np.sign(b.w) * np.sign(c.w)) < 0
 
 
