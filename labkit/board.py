@@ -6,10 +6,8 @@ import os
 import re
 import subprocess
 import sys
-import time
 import webbrowser
 from pathlib import Path
-from typing import NoReturn
 
 import pytest
 from rich.console import Console
@@ -24,7 +22,6 @@ from .table import COMMAND, NAME, WHEN_DONE
 
 BAR = 20  # characters of a whole lab's bar
 MOST_CLAIMS = 3  # shown of the other claims that fail
-LOOK = 0.3  # seconds between two looks at the files that are watched
 STYLES = {"done": "green", "failing": "red"}
 
 
@@ -58,27 +55,6 @@ def below(found, target, implementation, seed):
     if not found.broken and any(entry.told != "done" for entry in not_passed_by(found.asked)):
         yield next_to_do(found.needed, implementation, seed)
     yield from found.losses
-
-
-def watch(target: str | None = None, implementation: str = "labs", **options) -> NoReturn:
-    """`check`, and again whenever a file of the code under test is saved. Ends with Ctrl-C.
-
-    While checks run, Ctrl-C stops these alone, as where a loop has no end.
-    """
-    code, seen = folder(implementation), None
-    while True:
-        files = {path: path.stat().st_mtime_ns for path in code.glob("*.py") if path.exists()}
-        if files != seen:
-            Console().clear()
-            try:
-                check(target, implementation, **options)
-            except ValueError as error:
-                if seen is None:  # what was asked for is not there
-                    raise
-                print(error)
-            seen = files
-            print(f"\nWatching {places.shown_path(code)}/; Ctrl-C ends this.", flush=True)
-        time.sleep(LOOK)
 
 
 def show(target: str | None = None, implementation: str = "labs") -> None:

@@ -14,7 +14,6 @@ EXAMPLES = {  # what one types after COMMAND: what comes of it
     "check": "the board of all labs",
     f"check {LABS[0][0]}": "one lab, by its topic",
     "check 1.1": "one exercise",
-    "check 1 --watch": "again whenever you save",
     "check 1 --pictures": "expected, got and difference as pictures",
     "COMMAND --help": "more about one command"}
 

@@ -64,7 +64,6 @@ OPENED = option("target", metavar="TARGET",
            help=f"a topic ({LABS[0][0]}), a lab (1), an exercise (1.1) or an open task; "
                 "without, all labs"),
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check"),
-    option("--watch", action="store_true", help="check again whenever a file is saved"),
     option("--pictures", action="store_true",
            help="open a page with all that failed, and pictures"),
     SEED,
@@ -77,9 +76,7 @@ def check(asked):
     from . import board, tasks
     if asked.target in TASKS:
         return tasks.check(asked.target, asked.impl, asked.seed)
-    run = board.watch if asked.watch else board.check
-    return run(asked.target, asked.impl, seed=asked.seed, pictures=asked.pictures,
-               extra=asked.extra)
+    return board.check(asked.target, asked.impl, asked.seed, asked.pictures, asked.extra)
 
 
 @command(DO, "open TARGET", OPENED)

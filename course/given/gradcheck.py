@@ -12,12 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from labkit import places
 from labkit.contract import called, unchanged
-from labkit.suspicions import suspicion
+from labkit.suspicions import places, suspicion
 
-from .gradcheck_picture import draw
-from .sweeps import RTOL, STEPS, direction_part, element_part, relative_error, sweep
+from .sweeps import RTOL, direction_part, element_part, relative_error, sweep
 
 LEFT_OUT_LIMIT = 0.10  # a check that leaves out a larger share says too little
 
@@ -31,11 +29,7 @@ class GradReport(NamedTuple):
 
 
 class GradientMismatch(AssertionError):
-    """A gradient is wrong, or could not be checked: which, where and how. picture: path or None."""
-
-    def __init__(self, sentence, picture=None):
-        super().__init__(sentence)
-        self.picture = picture
+    """A gradient is wrong, or could not be checked: which, where and how."""
 
 
 class Case(NamedTuple):
@@ -61,7 +55,7 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     decisions(*inputs) -> an array, or a tuple of arrays: what the forward pass decides (which
         face, which texel). The loss may jump or bend where a decision changes, so a step that
         changes one is not used. What has no three usable steps in a row is left out and counted.
-    name: what is checked. It opens every message, and outside of pytest it names the picture.
+    name: what is checked. It opens every message.
 
     -> GradReport. Raises GradientMismatch where a gradient is wrong, zero everywhere, not
     finite, of the wrong shape or missing, where forward or backward changes its arguments, and
@@ -81,9 +75,10 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     wrong = wrong or [part for part in directions if part.off().any()]  # no single element tells
     if wrong:
         lines = [f"{name}: wrong gradient {summary}", *complaints(case, wrong, upstream),
-                 *parts_of_outputs(case, upstream, rng)]
+                 *parts_of_outputs(case, upstream, rng),
+                 *without_a_slope(wrong[0], slope_of_loss(case, upstream))]
         gradients_of(case, upstream)  # so that the last call, which reports show, is that of all
-        raise GradientMismatch(*evidence(lines, wrong[0], slope_of_loss(case, upstream), name))
+        raise GradientMismatch("\n  ".join(lines))
     require_enough(elements, name, summary)
     worst = max(np.nanmax(part.error(), initial=0.0) for part in parts)
     return GradReport(looked_at - left_out, left_out, float(worst))
@@ -228,14 +223,17 @@ def complaints(case, wrong, upstream):
 
 
 def explanation(part, inputs):
-    """The mistake that alone explains every number, after a semicolon, else ''."""
+    """The mistake that alone explains every number, after a semicolon; else the one place where all
+    are that are off, " in [..., 1]" or where an input is negative; else ''.
+    """
     unseen = np.isnan(part.numeric)
 
     def agrees(analytic, numeric):
         return unseen | (relative_error(analytic, numeric) <= RTOL)
 
     found = suspicion(part.analytic, part.numeric, agrees, inputs)
-    return f"; {found}" if found else ""
+    place, _ = next(places(part.off(), inputs), ("", None))
+    return f"; {found}" if found else place
 
 
 def parts_of_outputs(case, upstream, rng):
@@ -248,16 +246,9 @@ def parts_of_outputs(case, upstream, rng):
         yield f"what comes from output {output} is {how}"
 
 
-def evidence(lines, part, slope, name):
-    """Sweep the worst number to the end, draw the part -> the whole message, the picture's path."""
+def without_a_slope(part, slope):
+    """A line, or none: no two steps agree on the worst number's derivative."""
     worst = part.worst()
-    moves, scale = part.probes[worst]
-    _, D, change = sweep(slope, moves, scale, settled=-1.0)
+    _, _, change = sweep(slope, *part.probes[worst], settled=-1.0)
     if np.nanmin(change) > RTOL * max(abs(part.analytic[worst]), abs(part.numeric[worst])):
-        lines += ["  no two steps agree there: forward jumps, bends or is noisy; see decisions="]
-    try:
-        picture = draw(part, name, scale * STEPS, D, change)
-        lines += [f"picture: {places.shown_path(picture)}"]
-    except OSError as error:  # must not hide the mismatch
-        picture, lines = None, [*lines, f"no picture: {error}"]
-    return "\n  ".join(lines), picture and str(picture)
+        yield "  no two steps agree there: forward jumps, bends or is noisy; see decisions="

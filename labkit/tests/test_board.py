@@ -318,31 +318,6 @@ def test_every_row_of_the_course_fits_into_80_columns():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
-def test_watching_checks_again_when_a_file_is_saved(house):
-    """It checks all the time, once only, or ends with a file that is not Python."""
-    root = house(FILES)
-    lab = root / "labs" / "transforms.py"
-    right = lab.read_text()
-    with subprocess.Popen([sys.executable, "-m", "course", "check", "1.1", "--watch"], cwd=root,
-                          stdout=subprocess.PIPE, encoding="utf-8") as process:
-        boards = []
-        for text in (right.replace("2 * x", "3 * x"), right.replace("2 * x", "2 * (x"), right, ""):
-            said = []
-            while not said or not said[-1].startswith("Watching labs/; Ctrl-C ends this."):
-                said.append(process.stdout.readline())
-                assert said[-1], "it ended"
-            boards.append("".join(said))
-            if text:
-                lab.write_text(text)
-        process.send_signal(signal.SIGINT)
-        rest = process.communicate(timeout=60)[0]
-    assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
-    assert "0 of 1 claims hold" in boards[1]
-    assert "labs/transforms.py, line 7: this is not Python" in boards[2]
-    assert rest == "" and process.returncode == 130
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
 def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_here):
     """Ctrl-C loses the board, and nobody knows where the loop is."""
     root = house(FILES | {"labs/transforms.py": LAB.replace(

@@ -23,19 +23,15 @@ def stand_in(monkeypatch):
     return put
 
 
-BOARD = {"seed": 0, "pictures": False, "extra": False}
-
-
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
     ("demo", "course.scenes.demo.run", ([], None), {}),
     ("demo bunny shadow --impl labs", "course.scenes.demo.run", (["bunny", "shadow"], "labs"), {}),
     ("reconstruct in", "apps.reconstruct.command.run", ("in", 128, None), {}),
     ("reconstruct in --size 64 --impl labs", "apps.reconstruct.command.run",
      ("in", 64, "labs"), {}),
-    ("check", "board.check", (None, "labs"), BOARD),
-    ("check 2.3 --impl handed/in --seed 7 --extra", "board.check", ("2.3", "handed/in"),
-     BOARD | {"seed": 7, "extra": True}),
-    ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
+    ("check", "board.check", (None, "labs", 0, False, False), {}),
+    ("check 2.3 --impl handed/in --seed 7 --extra --pictures", "board.check",
+     ("2.3", "handed/in", 7, True, True), {}),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),

@@ -193,7 +193,7 @@ def test_a_module_that_is_not_there_is_called_as_it_was_written(house, run_here)
 
 
 def test_an_edited_module_is_read_anew(house, run_here, monkeypatch):
-    """With --watch, or in a notebook, what was mended stays wrong."""
+    """In a notebook, what was mended stays wrong."""
     own = Own("from labs.norms import twice")
     root = house(first_lab() | {"labs/__init__.py": "", "labs/transforms.py": own.lab})
     monkeypatch.syspath_prepend(root)

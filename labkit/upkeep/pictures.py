@@ -5,7 +5,6 @@ import re
 
 import numpy as np
 from PIL import Image, ImageSequence
-from scipy.spatial import cKDTree
 
 FEW_OFF = 12                                       # of 255; see `packed`
 SMOOTH, STEP, BANDS = 2, 6, 0.001                  # of 255, and a share: `has_bands`
@@ -88,27 +87,14 @@ def cut(pictures):
 def with_palette(pictures):
     """Pictures (RGB) with one palette of 256 colours, and how far all but 1 in 1,000 dots are off.
 
-    A colour counts as the square root of its dots: white paper leaves room for shades. The most
-    frequent colours, white among them, are kept as they are.
+    Median cut leaves white paper white, and k-means brings the other colours near their dots.
     """
-    sheet = np.stack(pictures).astype(np.uint32)
-    code = sheet[..., 0] << 16 | sheet[..., 1] << 8 | sheet[..., 2]
-    count = np.bincount(code.ravel(), minlength=1 << 24)
-    used = np.flatnonzero(count > 0)
-    colours = np.stack([used >> 16, used >> 8 & 255, used & 255], axis=-1)
-    often = np.repeat(colours, np.sqrt(count[used]).astype(int), axis=0).astype(np.uint8)[None]
-    palette = Image.fromarray(often).quantize(256, Image.Quantize.MEDIANCUT, kmeans=3).getpalette()
-    palette = np.reshape(palette, (-1, 3))
-    frequent = colours[np.argsort(count[used], kind="stable")[-8:]]
-    palette[cKDTree(palette).query(frequent)[1]] = frequent
-    nearest = cKDTree(palette).query(colours)[1]
-    off = np.abs(palette[nearest] - colours).max(axis=-1)
-    entry = np.zeros(1 << 24, np.uint8)
-    entry[used] = nearest
-    few = [Image.fromarray(indices) for indices in entry[code]]
-    for picture in few:
-        picture.putpalette(palette.astype(np.uint8).tobytes())
-    return few, np.percentile(np.repeat(off, count[used]), 99.9)
+    sheet = Image.fromarray(np.concatenate(pictures))
+    few = sheet.quantize(256, Image.Quantize.MEDIANCUT, kmeans=3, dither=Image.Dither.NONE)
+    off = np.abs(np.subtract(few.convert("RGB"), sheet, dtype=int)).max(axis=-1)
+    width, height = pictures[0].size
+    return [few.crop((0, top, width, top + height)) for top in range(0, few.height, height)], (
+        np.percentile(off, 99.9))
 
 
 def frames(content):

@@ -1,35 +1,12 @@
 """The gradient checker: right gradients pass, wrong ones fail, and the failure says how."""
 import re
-import subprocess
-import sys
 
-import matplotlib as mpl
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from PIL import Image
 
 from course.given import gradcheck as module
 from course.given import sweeps
 from course.given.gradcheck import GradientMismatch, GradReport, gradcheck
-from labkit import places
-
-DRAW = module.draw
-
-
-@pytest.fixture(autouse=True)
-def root(tmp_path, monkeypatch):
-    """Failures that are provoked here do not write to out/, and most draw no picture at all."""
-    monkeypatch.setattr(places, "ROOT", tmp_path)
-    monkeypatch.setattr(module, "draw", lambda part, name, *_: tmp_path / f"{name}.png")
-    return tmp_path
-
-
-@pytest.fixture
-def drawing(root, monkeypatch):
-    """This test's failures are drawn."""
-    monkeypatch.setattr(module, "draw", DRAW)
-
 
 # --- passes of which the gradient is known ------------------------------------------------------
 
@@ -219,6 +196,7 @@ WRONG_PRODUCTS = {  # backward, parts of what is told
     "zero": (lambda g, a, b: (g @ b.T, 0 * b), "(b): 9 of 9 ... off; it is zero everywhere"),
     "column": (lambda g, a, b: (g @ b.T, a.T @ g * (np.arange(3) < 2)),
                "input 1 (b): 3 of 9 ... off; it may be that it is 0 everywhere in [..., 2]\n"),
+    "unexplained": (lambda g, a, b: (g @ b.T, a.T @ g + [0, 7, 0]), "off in [..., 1]\n"),
     "shape": (lambda g, a, b: (g @ b.T, (a.T @ g)[:2]), "the gradient with respect to input 1 (b) "
               "must have that input's shape (3, 3); it has (2, 3)"),
     "too many": (lambda g, a, b: (g @ b.T, a.T @ g, g), f"{RETURNS} 3"),
@@ -346,7 +324,7 @@ def test_an_element_on_a_kink_is_left_out_where_a_decision_changes(decisions):
     assert report[:2] == (11, 1 + sweeps.DIRECTIONS)  # each direction moves the element, too
 
 
-# --- the message and the picture ----------------------------------------------------------------
+# --- the message --------------------------------------------------------------------------------
 
 
 def test_the_message_says_what_where_and_how_much():
@@ -357,60 +335,12 @@ def test_the_message_says_what_where_and_how_much():
     message = failure(lambda image: image**2, lambda g, image: wrong, (x,), seed=5, name="square")
     assert message.splitlines() == [
         "square: wrong gradient (seed 5, 0 of 9 numbers left out)",
-        "  with respect to input 0 (image): 1 of 6 looked at are off",
+        "  with respect to input 0 (image): 1 of 6 looked at are off in [..., 1]",
         f"    at [1, 1]: analytic {wrong[1, 1]:.10g}, numeric {right[1, 1]:.10g}, "
-        "relative error 0.33 (at most 1e-06)",
-        "  picture: square.png"]
-
-
-@pytest.mark.parametrize("shape", [(), (5,), (4, 3), (4, 5, 3), (30, 40)], ids=str)
-def test_a_failure_of_any_shape_is_drawn(drawing, root, rng, shape):
-    """The picture cannot show this shape, is not written, or is left half written."""
-    with pytest.raises(GradientMismatch) as caught:
-        gradcheck(np.sin, lambda g, x: g * (np.cos(x) + x), (rng.uniform(1, 2, shape),),
-                  name="sine")
-    [picture] = (root / "out" / "checks").iterdir()
-    assert caught.value.picture == str(picture)
-    assert str(caught.value).endswith(f"picture: out/checks/{picture.name}")
-    with Image.open(caught.value.picture) as picture:
-        assert picture.size == (1600, 380) and len(np.unique(np.asarray(picture))) > 50
-
-
-def test_the_first_row_is_drawn_at_the_bottom(drawing, root, rng):
-    """The picture of a gradient stands on its head beside all other pictures of the course."""
-    failure(np.sin, lambda g, x: g * np.cos(x) * np.array([[2], [1], [1]]),
-            (rng.normal(size=(3, 4)),), name="sine")
-    with Image.open(next((root / "out" / "checks").iterdir())) as picture:
-        pixels = np.asarray(picture)[:, 940:1200, :3].astype(int)  # the panel of what is off
-    rows = np.flatnonzero((pixels @ [1, -1, -1] > 50).any(axis=1))
-    assert rows.size and rows.min() > 200
-
-
-def test_a_folder_that_cannot_be_written_does_not_hide_the_mismatch(drawing, root, rng):
-    """The failure to write the picture is all that the student sees."""
-    (root / "out").write_text("a file where the folder should be")
-    with pytest.raises(GradientMismatch, match="the sign is flipped") as caught:
-        gradcheck(np.sin, lambda g, x: -g * np.cos(x), (rng.normal(size=3),))
-    assert "no picture: " in str(caught.value) and caught.value.picture is None
-
-
-def test_drawing_leaves_matplotlib_as_it_was(drawing, rng):
-    """A failed check in a notebook changes how its figures are shown, or adds one to them."""
-    before = dict(mpl.rcParams), plt.get_fignums()
-    failure(np.sin, lambda g, x: -g * np.cos(x), (rng.normal(size=3),))
-    assert (dict(mpl.rcParams), plt.get_fignums()) == before
+        "relative error 0.33 (at most 1e-06)"]
 
 
 # --- speed, repeatability -----------------------------------------------------------------------
-
-
-def test_a_check_that_passes_imports_no_matplotlib():
-    """Every check of every lab waits for matplotlib."""
-    code = ("import sys, numpy as np; from course.given.gradcheck import gradcheck; "
-            "gradcheck(np.sin, lambda g, x: g * np.cos(x), (np.ones(3),)); "
-            "sys.exit('matplotlib' in sys.modules)")
-    folder = module.__file__.rpartition("course")[0]
-    assert subprocess.run([sys.executable, "-c", code], cwd=folder, check=False).returncode == 0
 
 
 def test_a_small_check_takes_few_calls_of_forward():
