@@ -97,17 +97,27 @@ def overview(course, asked):
 
 
 def question(course, name, drawings):
-    """An exercise: its mark, its signature, its docstring, and links."""
+    """An exercise: its mark, its signature, constants, its docstring, and links."""
     exercise, (module, node) = course.exercises[name], course.module_and_node(name)
-    marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
-             f'<pre class="signature"><code>{node.name}({ast.unparse(node.args)})'
-             "</code></pre>")
+    marks = f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
+    for line in f"{node.name}({ast.unparse(node.args)})", *constants(course, module, node):
+        marks += f'<pre class="signature"><code>{html.escape(line)}</code></pre>'
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       as_myst(docstring(course, module, node), "{eval-rst}"),
                       as_myst(practice.place(exercise, module.topic,
                                              drawings.get((module.topic, node.name), ""))),
                       as_myst(read_on(course, name))])
+
+
+def constants(course, module, node):
+    """The lines of code that define what a question names in capitals, but for long tables."""
+    found = {}
+    for name in re.findall(r"\b[A-Z_]{3,}\b", ast.get_docstring(node)):
+        source = course.modules.get(module.names.get(name, "").rpartition(".")[0], module).text
+        line = rf"^(?=[A-Z_, ]*\b{name}\b)[A-Z_, ]+ = [^\[{{\n]+$"
+        found |= dict.fromkeys(re.findall(line, source, re.M))
+    return found
 
 
 def read_on(course, name):
@@ -118,8 +128,9 @@ def read_on(course, name):
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]
-    called = dict.fromkeys(full for part in ast.walk(node) if isinstance(part, ast.Name)
-                           and (full := module.names.get(part.id)) and course.function(full))
+    called = dict.fromkeys(
+        full for part in ast.walk(ast.Module(node.body)) if isinstance(part, ast.Name)
+        and (full := module.names.get(part.id)) and course.function(full))
     if called:
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'

@@ -23,16 +23,15 @@ PACKAGES = {"scipy": "scipy", "matplotlib": "matplotlib", "PIL": "pillow"}
 class Missing:
     """What is imported and not loaded yet: names of `wanted`, for the worker to load."""
 
-    def __init__(self):
-        self.wanted = set()
+    wanted = set()
 
-    def find_spec(self, name, *_):
+    @classmethod
+    def find_spec(cls, name, *_):
         if name in PACKAGES:
-            self.wanted.add(PACKAGES[name])
+            cls.wanted.add(PACKAGES[name])
 
 
-missing = Missing()
-sys.meta_path.append(missing)
+sys.meta_path.append(Missing)
 
 
 def put(files):
@@ -40,11 +39,11 @@ def put(files):
     shutil.copytree(ROOT / "labkit" / "handed_out", ROOT / "labs", dirs_exist_ok=True)
     for topic, text in files.items():
         (ROOT / "labs" / f"{topic}.py").write_text(text, "utf-8")
-    stale = ("labs.", "tests.") if missing.wanted else "labs."  # checks that were not imported
+    stale = ("labs.", "tests.") if Missing.wanted else "labs."  # checks that were not imported
     for name in [name for name in sys.modules if name.startswith(stale)]:
         del sys.modules[name]
     importlib.invalidate_caches()
-    missing.wanted.clear()
+    Missing.wanted.clear()
 
 
 def answer(kind, files, *rest):
@@ -53,10 +52,10 @@ def answer(kind, files, *rest):
     try:
         found = globals()[kind](*rest)
     except ModuleNotFoundError:
-        if not missing.wanted:
+        if not Missing.wanted:
             raise
         found = {}
-    return json.dumps({"needs": sorted(missing.wanted), **found})
+    return json.dumps({"needs": sorted(Missing.wanted), **found})
 
 
 def ready():
@@ -93,7 +92,7 @@ def picture(name):
     except NotImplementedError as error:
         waits = UNFINISHED.fullmatch(str(error))
         return {"waits": f"waits for {waits[1]} {waits[2]}" if waits else str(error)}
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         return {"waits": f"{type(error).__name__}: {error}"}
     rows = np.uint8(255 * np.clip(drawn, 0, 1) + 0.5)[::-1]
     height, width = rows.shape[:2]
