@@ -6,6 +6,7 @@ Each answer is a text of JSON, or bytes. `files` are the labs that the reader ha
 import base64
 import importlib
 import json
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -18,6 +19,7 @@ from labkit.grading.handing import archives
 from labkit.places import ROOT
 
 PACKAGES = {"scipy": "scipy", "matplotlib": "matplotlib", "PIL": "pillow"}
+FILED = re.compile(r"^(inputs|picture) .*(\n {10}.*)*\n", re.MULTILINE)  # rows that name a file
 
 
 class Missing:
@@ -69,13 +71,14 @@ def check(number):
     told = [*found.problems, *found.broken.values(), *found.warnings]
     if any(entry.told != "done" for entry in found.asked) and not found.broken:
         told.append(board.next_to_do(found.needed, "labs", 0))
-    return {"report": "\n".join([*told, *found.losses]),
+    return {"report": FILED.sub("", "\n".join([*told, *found.losses])),
             "verdicts": {entry.number: entry.told for entry in found.needed}}
 
 
 def ways_on(entry, *_):
     """The last rows of a report, for who has a page and no terminal."""
-    yield "again", f"write {entry.blocked_by} first" if entry.blocked_by else "Check, or Ctrl+Enter"
+    yield "again", (f"write {entry.blocked_by} first, on its own lab's page" if entry.blocked_by
+                    else "Check, or Ctrl+Enter")
     yield "read", f"the question of {entry.number}; its lecture is linked below it"
     if entry.verdict != "done":
         yield "stuck", "the answer is linked there, too"
@@ -89,6 +92,7 @@ def picture(name):
     import pictures
     try:
         drawn = pictures.drawn(name, "labs")
+        drawn = drawn.reshape(*drawn.shape[:2], 3)  # a wrong answer may have other axes
     except NotImplementedError as error:
         waits = UNFINISHED.fullmatch(str(error))
         return {"waits": f"waits for {waits[1]} {waits[2]}" if waits else str(error)}
