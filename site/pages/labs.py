@@ -70,17 +70,11 @@ def page(course, lab, python, drawings):
     return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"You write in {files(asked)}: on this page, with nothing installed, or on "
-                      f"your computer, where `python3 -m course check {lab}` checks it. A number "
-                      "that is missing belongs to given code.\n", overview(course, asked),
+                      "You write on this page, with nothing installed, or on your computer, "
+                      f"where `python3 -m course check {lab}` checks it. A number that is missing "
+                      "belongs to given code.\n", overview(course, asked),
                       as_myst(practice.work(exercises.LABS[lab - 1], python)),
                       *(question(course, name, drawings) for name in asked)])
-
-
-def files(asked):
-    """The files that a student opens, in words."""
-    *others, last = dict.fromkeys(f"`labs/{name.split('.')[1]}.py`" for name in asked)
-    return f"{', '.join(others)} and {last}" if others else last
 
 
 def overview(course, asked):
@@ -97,17 +91,24 @@ def overview(course, asked):
 
 
 def question(course, name, drawings):
-    """An exercise: its mark, its signature, its docstring, and links."""
+    """An exercise: its mark, its signature, constants, its docstring, and links."""
     exercise, (module, node) = course.exercises[name], course.module_and_node(name)
-    marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
-             f'<pre class="signature"><code>{node.name}({ast.unparse(node.args)})'
-             "</code></pre>")
+    marks = f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
+    for line in f"{node.name}({ast.unparse(node.args)})", *constants(course, module, node):
+        marks += f'<pre class="signature"><code>{html.escape(line)}</code></pre>'
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       as_myst(docstring(course, module, node), "{eval-rst}"),
                       as_myst(practice.place(exercise, module.topic,
                                              drawings.get((module.topic, node.name), ""))),
                       as_myst(read_on(course, name))])
+
+
+def constants(course, module, node):
+    """The lines of code that define what a question names in capitals, but for long tables."""
+    names = re.findall(r"\b[A-Z_]{3,}\b", ast.get_docstring(node)) or ["none"]
+    line = rf"^(?=[A-Z_, ]*\b(?:{'|'.join(names)})\b)[A-Z_, ]+ = [^\[{{\n]+$"
+    return re.findall(line, module.text + course.modules["course.given.arrays"].text, re.M)
 
 
 def read_on(course, name):
@@ -118,7 +119,8 @@ def read_on(course, name):
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]
-    called = dict.fromkeys(full for part in ast.walk(node) if isinstance(part, ast.Name)
+    parts = ast.walk(ast.Module(node.body))  # without decorators
+    called = dict.fromkeys(full for part in parts if isinstance(part, ast.Name)
                            and (full := module.names.get(part.id)) and course.function(full))
     if called:
         items.append(("It calls", ", ".join(

@@ -26,7 +26,7 @@ MEGABYTES = 17.1    # of Python, NumPy and the course, unpacked, as the worker s
 HIGH = 192          # of a picture, in pixels of the page
 PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
 UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep)/|labs/[^_]|.*\.(png|md|txt)$|"
-                    r"pygments/(lexers|styles|formatters)/"
+                    r"packaging/(licenses|metadata|pylock)|pygments/(lexers|styles|formatters)/"
                     r"(?!(__init__|_mapping|diff|python|terminal|default)\.)")
 
 sys.path.append(str(STATIC))

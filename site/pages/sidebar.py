@@ -31,9 +31,8 @@ def setup(app):
 def trees():
     """What stands in the margin of every page."""
     topics = [entry(path.stem) for path in lectures() if not is_sequel(path.stem)]
-    groups = {"Lectures, labs, code": topics, "The whole": WHOLE,
-              "Further": FURTHER}
-    for caption, pages in groups.items():
+    for caption, pages in (("Lectures, labs, code", topics), ("The whole", WHOLE),
+                           ("Further", FURTHER)):
         yield TREE.format(caption=f":caption: {caption}\n", pages="\n".join(pages))
 
 

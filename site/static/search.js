@@ -10,21 +10,25 @@ async function unpack(packed) {
 }
 
 // A word begins where it is found: z-buffer is zbuffer and z_buffer, barycentric finds
-// barycentrics, but 8 is neither in 8.7 nor in 80.
+// barycentrics, but 8 is neither in 8.7 nor in 80. A question mark is one letter, or none.
 function pattern(word) {
   const letters = [...word.replace(/[-_]/g, "").replace(/(?<=...)s$/, "")];
-  const spelled = letters.map((letter) => letter.replace(".", "\\.")).join("[-_]?");
+  const escaped = letters.map((letter) => letter.replace(".", "\\.").replace("?", "\\p{L}?"));
   const end = /\d$/.test(word) ? "(?!\\d|\\.\\d)" : "";
-  return `(?<![\\p{L}\\p{N}]|\\d\\.)${spelled}${end}`;
+  return `(?<![\\p{L}\\p{N}]|\\d\\.)${escaped.join("[-_]?")}${end}`;
 }
 
 const SMALL = /^(a|an|and|are|can|do|does|each|for|from|how|i|in|is|it|its|long|my|of|on|or|that|the|there|to|too|what|when|where|which|why|with|you|your)$/i;
 
-// What is looked for: all but small words, if there are others.
-function asked(query) {
+// What is looked for: all but small words, if there are others. A word that is nowhere may have a
+// letter too few, too many, or a wrong one.
+function asked(query, records) {
   const words = query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu) ?? [];
   const large = words.filter((word) => !SMALL.test(word));
-  return (large.length ? large : words).map(pattern);
+  const isThere = (one) => records.some((record) => new RegExp(one, "iu").test(record.join(" ")));
+  return (large.length ? large : words).map((word) => (
+    word.length < 4 || isThere(pattern(word)) ? pattern(word) : [...word].flatMap((_, k) =>
+      [k, k + 1].map((end) => pattern(`${word.slice(0, k)}?${word.slice(end)}`))).join("|")));
 }
 
 // How well a word fits: in the title, in the place, or in the text, the oftener the better.
@@ -83,7 +87,7 @@ function marked(text, every) {
 }
 
 function show(records) {
-  const query = form.q.value.trim(), patterns = asked(query);
+  const query = form.q.value.trim(), patterns = asked(query, records);
   const found = patterns.length ? search(records, patterns) : [];
   const every = new RegExp(`(?:${patterns.join("|")})[\\p{L}\\p{N}_]*`, "giu"); // whole words
   list.replaceChildren(...found.slice(0, SHOWN).map(([address, title, place, text]) => {

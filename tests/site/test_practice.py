@@ -69,8 +69,10 @@ def desk(desks):
     return desks(accept_downloads=True)
 
 
-def place(page, name):
-    """The exercise of this name on an open page."""
+def place(page, name, address=None):
+    """The exercise of this name on an open page, or on the page at an address."""
+    if address:
+        page.goto(address)
     found = page.locator(f'.practice[data-name="{name}"]')
     found.scroll_into_view_if_needed()
     found.locator(".cm-content").wait_for()
@@ -120,21 +122,23 @@ def test_a_later_labs_picture_is_drawn_by_the_readers_labs(desks, address):
     for topic in "transforms", "rasterization", "interpolation", "vertex_gradients":
         text = json.dumps(exercises.read(exercises.reference(topic)))
         page.add_init_script(f"localStorage['course: labs/{topic}.py'] ??= {text}")
-    page.goto(f"{address}/labs/07_vertex_gradients.html")
-    found = place(page, "fit_step")
+    found = place(page, "fit_step", f"{address}/labs/07_vertex_gradients.html")
     checked(found, "done")
     expect(found.locator(".yours figcaption")).to_have_text("yours")
     assert found.locator(".draws").evaluate(MOST_OFF) <= 1
-    write(found, "def fit_step(*given):\n    return 1 / 0")
-    checked(found, "failing")
-    expect(found.locator(".yours figcaption")).to_have_text("ZeroDivisionError: division by zero")
+    for line, fault in ("1 / 0", "ZeroDivisionError: division by zero"), (
+            "raise SystemExit(3)", "SystemExit: 3"):
+        write(found, f"def fit_step(*given):\n    {line}")
+        checked(found, "failing")
+        expect(found.locator(".yours figcaption")).to_have_text(fault)
 
 
 def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
     """The check is not the course's own, or its report speaks of a terminal."""
-    page = desk.new_page()
-    page.goto(f"{address}/{LAB_2}")
-    found = place(page, "edge_function")
+    found = place(desk.new_page(), "edge_function", f"{address}/{LAB_2}")
+    write(found, "def edge_function(p, a, b):\n return ((b-a)[..., ::-1] * [-1, 1] * (p-a)).sum(-1)")
+    report = checked(found, "done, fine print open")
+    assert "(2000, 2)" in report and "npz" not in report
     wrong = answer("edge_function").replace("return ", "return -")
     write(found, wrong)
     report = checked(found, "failing")
@@ -147,8 +151,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
 def test_a_loop_without_an_end_is_stopped_and_nothing_is_lost(desk, address):
     """The page hangs, or a stop or a reload takes what was written."""
     page = desk.new_page()
-    page.goto(f"{address}/{LAB_2}")
-    found = place(page, "is_top_left")
+    found = place(page, "is_top_left", f"{address}/{LAB_2}")
     write(found, "def is_top_left(n_x, n_y):\n    while True:\n        pass")
     found.locator(".check").click()
     expect(found.locator("output")).to_have_text("checking", timeout=SOON)
@@ -167,8 +170,7 @@ def test_a_second_tab_shows_what_the_first_one_writes(desk, address):
     """The tab that was left behind saves over it."""
     first, second = desk.new_page(), desk.new_page()
     for page in first, second:
-        page.goto(f"{address}/{LAB_2}")
-        place(page, "screen_weights")
+        place(page, "screen_weights", f"{address}/{LAB_2}")
     write(place(first, "screen_weights"), "def screen_weights(p, triangle):\n    return 1234")
     second.bring_to_front()
     expect(place(second, "screen_weights")).to_contain_text("1234")
@@ -197,8 +199,7 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
     assert [marks[name] for name in ("transform", "cover", "bounding_box")] == ["1", "6", "0"]
 
     other = desks().new_page()
-    other.goto(f"{address}/{LAB_2}")
-    place(other, "cover")
+    place(other, "cover", f"{address}/{LAB_2}")
     other.locator(".my-work input").set_input_files(file)
     expect(other.locator(".my-work output")).to_contain_text("yours again", timeout=SOON)
     expect(place(other, "bounding_box")).to_contain_text("return 5")
@@ -215,8 +216,7 @@ def test_where_python_does_not_come_a_sentence_says_so(says, desks, address):
             body="throw new RangeError('out of memory')", content_type="text/javascript"))
     else:
         page.context.route(f"{CDN}**", lambda route: route.abort())
-    page.goto(f"{address}/{LAB_1}")
-    found = place(page, "transform")
+    found = place(page, "transform", f"{address}/{LAB_1}")
     found.locator(".check").click()
     expect(found.locator(".report")).to_contain_text(says, timeout=60_000)
     assert "python3 -m course check 1.1" in found.locator(".report").inner_text()
@@ -226,8 +226,7 @@ def test_where_nothing_is_kept_the_page_says_so(desks, address):
     """A private window loses the work of an hour without a word."""
     page = desks().new_page()
     page.add_init_script("Storage.prototype.setItem = () => { throw new Error('refused'); }")
-    page.goto(f"{address}/{LAB_1}")
-    found = place(page, "transform")
+    found = place(page, "transform", f"{address}/{LAB_1}")
     write(found, answer("transform"))
     expect(found.locator("output")).to_contain_text("keeps nothing")
 
@@ -235,8 +234,7 @@ def test_where_nothing_is_kept_the_page_says_so(desks, address):
 def test_on_a_phone_and_by_keys(desks, address):
     """The report makes the page wide; or Tab never leaves the editor; or a label is missing."""
     page = desks(viewport={"width": 375, "height": 700}).new_page()
-    page.goto(f"{address}/{LAB_1}")
-    found = place(page, "transform")
+    found = place(page, "transform", f"{address}/{LAB_1}")
     write(found, answer("transform").replace("return ", "return 2 * "))
     checked(found, "failing")
     assert page.evaluate("document.documentElement.scrollWidth") <= 375

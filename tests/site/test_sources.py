@@ -93,6 +93,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
         assert answer_lines(module, node) & {*map(str.strip, element.get_text().splitlines())} \
             == set()
         assert f'../reference/{module.topic}.html#{name}' in str(element)
+    assert ("EDGES = (1, 2)" in lab_page(lab).get_text()) == (lab in (2, 5, 8))  # questions name it
 
 
 def answer_lines(module, node):

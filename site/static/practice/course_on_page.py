@@ -6,6 +6,7 @@ Each answer is a text of JSON, or bytes. `files` are the labs that the reader ha
 import base64
 import importlib
 import json
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -18,21 +19,21 @@ from labkit.grading.handing import archives
 from labkit.places import ROOT
 
 PACKAGES = {"scipy": "scipy", "matplotlib": "matplotlib", "PIL": "pillow"}
+FILED = re.compile(r"^(inputs|picture) .*(\n {10}.*)*\n", re.MULTILINE)  # rows that name a file
 
 
 class Missing:
     """What is imported and not loaded yet: names of `wanted`, for the worker to load."""
 
-    def __init__(self):
-        self.wanted = set()
+    wanted = set()
 
-    def find_spec(self, name, *_):
+    @classmethod
+    def find_spec(cls, name, *_):
         if name in PACKAGES:
-            self.wanted.add(PACKAGES[name])
+            cls.wanted.add(PACKAGES[name])
 
 
-missing = Missing()
-sys.meta_path.append(missing)
+sys.meta_path.append(Missing)
 
 
 def put(files):
@@ -40,11 +41,11 @@ def put(files):
     shutil.copytree(ROOT / "labkit" / "handed_out", ROOT / "labs", dirs_exist_ok=True)
     for topic, text in files.items():
         (ROOT / "labs" / f"{topic}.py").write_text(text, "utf-8")
-    stale = ("labs.", "tests.") if missing.wanted else "labs."  # checks that were not imported
+    stale = ("labs.", "tests.") if Missing.wanted else "labs."  # checks that were not imported
     for name in [name for name in sys.modules if name.startswith(stale)]:
         del sys.modules[name]
     importlib.invalidate_caches()
-    missing.wanted.clear()
+    Missing.wanted.clear()
 
 
 def answer(kind, files, *rest):
@@ -53,10 +54,10 @@ def answer(kind, files, *rest):
     try:
         found = globals()[kind](*rest)
     except ModuleNotFoundError:
-        if not missing.wanted:
+        if not Missing.wanted:
             raise
         found = {}
-    return json.dumps({"needs": sorted(missing.wanted), **found})
+    return json.dumps({"needs": sorted(Missing.wanted), **found})
 
 
 def ready():
@@ -70,13 +71,14 @@ def check(number):
     told = [*found.problems, *found.broken.values(), *found.warnings]
     if any(entry.told != "done" for entry in found.asked) and not found.broken:
         told.append(board.next_to_do(found.needed, "labs", 0))
-    return {"report": "\n".join([*told, *found.losses]),
+    return {"report": FILED.sub("", "\n".join([*told, *found.losses])),
             "verdicts": {entry.number: entry.told for entry in found.needed}}
 
 
 def ways_on(entry, *_):
     """The last rows of a report, for who has a page and no terminal."""
-    yield "again", f"write {entry.blocked_by} first" if entry.blocked_by else "Check, or Ctrl+Enter"
+    yield "again", (f"write {entry.blocked_by} first, on its own lab's page" if entry.blocked_by
+                    else "Check, or Ctrl+Enter")
     yield "read", f"the question of {entry.number}; its lecture is linked below it"
     if entry.verdict != "done":
         yield "stuck", "the answer is linked there, too"
@@ -90,10 +92,11 @@ def picture(name):
     import pictures
     try:
         drawn = pictures.drawn(name, "labs")
+        drawn = drawn.reshape(*drawn.shape[:2], 3)  # a wrong answer may have other axes
     except NotImplementedError as error:
         waits = UNFINISHED.fullmatch(str(error))
         return {"waits": f"waits for {waits[1]} {waits[2]}" if waits else str(error)}
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         return {"waits": f"{type(error).__name__}: {error}"}
     rows = np.uint8(255 * np.clip(drawn, 0, 1) + 0.5)[::-1]
     height, width = rows.shape[:2]

@@ -1,5 +1,5 @@
 /** Python in a worker: it comes when it is first wanted, and can be stopped. */
-const PATIENCE = 45; // seconds without a sign of life while it comes
+const PATIENCE = 45; // seconds in which nothing comes, before all is there
 let worker, heard, have, isThere, count = 0, tell = () => null;
 const waiting = new Map(); // number of a question: how it ends
 
@@ -34,7 +34,7 @@ export function begin(about) {
   };
   const watch = setInterval(() => {
     if (isThere || !worker) clearInterval(watch);
-    else if (waiting.size && Date.now() - heard > 1000 * PATIENCE) {
+    else if (waiting.size && have < 0.9 * about.megabytes && Date.now() - heard > 1000 * PATIENCE) {
       lose(explained("nothing comes", about));
     }
   }, 1000);
