@@ -30,8 +30,8 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     if "mipmap" not in mode:
         uv_da = mip_level_bias = None
         mip = MipStack([])
-    require(mip is None or isinstance(mip, MipStack | list), "mip must be a list of tensors or "
-            "come from texture_construct_mip()")
+    require(mip is None or (mip and isinstance(mip, MipStack | list)), "mip must be a list of "
+            "tensors or come from texture_construct_mip()")
     stack, pixels = (mip if isinstance(mip, list) else []), (uv, uv_da, mip_level_bias)
     how = how_to_read(mode, boundary_mode, not isinstance(mip, list), (tex, *pixels))
     texels = [pictures_of(level, is_cube) for level in (tex, *stack)]
@@ -173,6 +173,9 @@ class Texture(torch.autograd.Function):
         back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
         grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
+        uv = None if how.sampler.filter_mode == "nearest" else uv
+        if how.sampler.filter_mode != "linear-mipmap-linear":
+            uv_da = bias = None
         if how.is_made:  # what a level gets goes down to the texture
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))

@@ -131,18 +131,6 @@ def test_an_exercise_that_is_wrong_is_named_at_the_start(tmp_path):
     assert "course: of what it may call, 8.11 failing, 8.6 not written, 8.7 not writt" in printed
 
 
-@pytest.mark.parametrize(("text", "said"), [
-    ("x = 1\ndef (:\n", "labs/transforms.py, line 2: this is not Python"),
-    ("import tinycudann", "imports, cannot be imported: No module named 'tinycudann'")])
-def test_a_lab_that_cannot_be_imported_is_named_and_not_the_one_that_imports_it(
-        text, said, tmp_path):
-    """The student looks for the mistake in the file that was asked for, or in the program."""
-    shutil.copytree(ROOT / "labs", tmp_path / "labs")  # they come before the course's own
-    (tmp_path / "labs" / "transforms.py").write_text(text)
-    status, printed = run(tmp_path, WHOLE, "--impl", "labs")
-    assert status == 2 and said in printed and "Traceback" not in printed
-
-
 def test_installed_it_is_found_without_the_course_but_after_a_real_one(tmp_path):
     """A module is missing in the package, a spawned worker does not find it, or it hides the real
     nvdiffrast.
