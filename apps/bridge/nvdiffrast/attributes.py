@@ -46,13 +46,12 @@ class Interpolate(torch.autograd.Function):
         require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
                 f"pictures, as rast has; it has those of {count}")
         kernels = tensors.kernels(attr, rast, rast_db)
-        ctx.way, ctx.given = kernels or sys.modules[__name__], []
+        ctx.way = kernels or sys.modules[__name__]
         pictures = array("rast", rast, "n h w 4").reshape(count, -1, rast.shape[2], 4)
         changes = np.empty((count, 0, 4), np.float32) if rast_db is None else array(
             "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
-        for value, pixels, change in zip(values, pictures, changes, strict=True):
-            face_index, _ = seen_in(pixels, len(faces), kernels)
-            ctx.given.append((value, faces, face_index, pixels, change, chosen))
+        ctx.given = [(value, faces, seen_in(pixels, len(faces), kernels)[0], pixels, change, chosen)
+                     for value, pixels, change in zip(values, pictures, changes, strict=True)]
         out, out_da = zip(*(mixed(ctx.way, *given) for given in ctx.given), strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)

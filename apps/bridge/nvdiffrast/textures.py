@@ -170,7 +170,8 @@ class Texture(torch.autograd.Function):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
         levels, places, how = ctx.reading
         rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
-        back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
+        is_whole = how.is_compiled or any(ctx.needs_input_grad[1:4])
+        back = whole_backward if is_whole else texels_backward
         grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
         uv = None if how.sampler.filter_mode == "nearest" else uv
@@ -214,8 +215,6 @@ def whole_backward(grad, levels, place, sampler):
 
 def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
-    if place.matrix is None:
-        return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
     labs = tensors.labs.mipmapping
     return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
 
