@@ -41,8 +41,8 @@ with (torch.cuda.stream(torch.cuda.Stream()), torch.random.fork_rng(), torch.cud
     apart = torch.compile(torch.nn.DataParallel(torch.nn.Linear(3, 2).cuda()), mode="max-autotune")
     assert apart(torch.ones(1, 3, device="cuda")).shape == (1, 2) and apart.module.weight.is_leaf
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
-with device: tri = torch.tensor([[0, 1, 2]], dtype=torch.int32)
-context = dr.RasterizeGLContext(device=device)
+torch.set_default_device(device), (tri := torch.tensor([[0, 1, 2]], dtype=torch.int32))
+torch.set_default_device(None), (context := dr.RasterizeGLContext(device=device))
 rast, _ = dr.rasterize(context, clip, tri, (4, 6))
 print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
 sys.exit(3)
@@ -54,7 +54,7 @@ REFUSED = {
     "dr.texture(rast.cpu(), rast[..., :2].contiguous())": "texture: tex must be on the card: give",
     "Rasterize(4, 0, 9, 0, 0)(clip.cpu()[..., None].expand(1, 3, 4, 3))": "picture: faces must be",
     "clip + clip.cpu()": "add takes tensors on one device, and here one is on the card, another on",
-    "clip.cpu() * clip.sum()": "mul takes tensors on one device, and here one is on the card, anoth",
+    "clip.cpu() * clip.sum()": "mul takes tensors on one device, and here one is on the car",
     "torch.nn.Linear(4, 4)(clip)": "linear takes tensors on one device, and here one is on the car",
     "np.asarray(clip)": "NumPy takes no tensor that is on the card: give .cpu() of it"}
 INSTALLED = '''
