@@ -13,7 +13,6 @@ from torch.utils._pytree import tree_leaves
 from .tensors import require
 
 MAY_MIX = "copy_", "to", "type_as", "__getitem__", "__setitem__", "__set__"  # two devices
-TO_NUMPY = "numpy", "__array__"
 APPLY = torch.autograd.Function.apply.__func__
 
 
@@ -46,11 +45,11 @@ class Strict(TorchFunctionMode):
 
     def __torch_function__(self, function, _, args=(), kwargs=None):
         given, name = tensors_in((args, kwargs)), getattr(function, "__name__", "")
-        places = {has(tensor) for tensor in given if tensor.ndim}  # single numbers go anywhere
+        places = {has(each) for each in given if each.ndim or has(each)}  # others go anywhere
         require(len(places) < 2 or name in MAY_MIX, f"{name} takes tensors on one device, and here "
                 "one is on the card, another on the processor: give .cuda() of that")
         is_there = any(map(has, given))
-        require(not (is_there and name in TO_NUMPY), "NumPy takes no tensor that is on the card: "
+        require(not (is_there and name in ("numpy", "__array__")), "NumPy takes no tensor that is on the card: "
                 "give .cpu() of it")
         made = function(*args, **kwargs or {})
         return put(made) if is_there else made

@@ -17,7 +17,7 @@ import types
 from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
-import torch
+import torch.utils._device
 
 from course.given import whose
 from labkit import exercises
@@ -25,7 +25,6 @@ from labkit.table import COMMAND
 
 from . import card, tensors
 
-INTERFACES = str(Path(__file__).parent)  # where Python finds them by their own names
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
@@ -56,8 +55,8 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
     sys.argv[:] = str(script), *arguments
-    first = str(Path.cwd() if is_module else path.parent)
-    sys.path[:] = first, INTERFACES, *sys.path[1:], sys.path[0]  # the course itself comes last
+    first, here = Path.cwd() if is_module else path.parent, Path(__file__).parent
+    sys.path[:] = str(first), str(here), *sys.path[1:], sys.path[0]  # the course itself comes last
     name_wrong("" if is_module else path.read_text("utf-8", "replace"))
     pretend()
     with whose.exercises_named(), needs_named(script):
@@ -128,15 +127,12 @@ class Generator(torch.Generator):
         return super().__new__(cls, "cpu")
 
 
-class DataParallel(torch.nn.Module):
+class DataParallel(torch.nn.DataParallel):
     """A module on all devices, of which there is one."""
 
     def __init__(self, module, *_, **__):
-        super().__init__()
-        self.module = module
-
-    def forward(self, *args, **kwargs):
-        return self.module(*args, **kwargs)
+        torch.nn.Module.__init__(self)
+        self.module, self.device_ids = module, []
 
 
 class Idle:
@@ -204,7 +200,8 @@ def on_processor(function):
     """A function of PyTorch that makes tensors, on the processor."""
     @functools.wraps(function)
     def made(*args, **kwargs):
-        if not is_cuda(kwargs.get("device")):
+        device = kwargs.get("device")
+        if not is_cuda(torch.utils._device.CURRENT_DEVICE if device is None else device):
             return function(*args, **kwargs)
         return card.put(function(*args, **{**kwargs, "device": "cpu"}))
 

@@ -1,5 +1,6 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
 import functools
+import os
 
 import numpy as np
 import torch
@@ -10,6 +11,10 @@ from course.given import compiled, whose
 labs = whose.Labs()  # `program` says otherwise: python3 -m course run --impl labs
 FLOATS = torch.float32, torch.float64  # CUDA's kernels take the first alone
 INTEGERS = torch.int32,
+GRID = os.environ.get("BRIDGE_GRID", "0")
+if not GRID.isdecimal():
+    raise ValueError(f"BRIDGE_GRID must be a whole number, such as 16; it is {GRID}")
+GRID = int(GRID)  # in a pixel, vertices have so many places; 0: all
 DTYPES = {torch.float32: np.float32, torch.float64: np.float64}
 
 

@@ -1,7 +1,7 @@
 """Float kernels: what apps/bridge does with float32 numbers, there and back, as compiled loops.
 
-    draw_pixels                       labs 2, 5 and 7, by footprint_kernels: of u and v, not of the
-                                      third weight
+    draw_pixels                       labs 2, 5 and 7, by put_runs and, on the way back,
+                                      footprint_kernels
     unpacked                          what rast sees
     mix_attributes                    lab 5, by mix_corners
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
@@ -11,8 +11,6 @@ rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db du/dX, du/dY, dv
 
 Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
-import functools
-
 import numpy as np
 
 from course.given import inputs
@@ -33,125 +31,111 @@ def corners_of(faces, face):
 def unpack(rast, face_index, depth):
     """Writes face_index (P,) and depth (P,), inf where no face is seen."""
     for p in range(np.uintp(len(rast))):
-        face_index[p] = np.int32(rast[p, 3]) - 1
+        face_index[p] = max(np.int32(rast[p, 3]) - 1, -1)
         depth[p] = rast[p, 2] if face_index[p] >= 0 else np.inf
 
 
 @kernel
-def pack(face_index, depth, first, rast):
-    """Writes z/w and the faces' numbers, from first + 1 on, to rast (P, 4)."""
-    for p in range(np.uintp(len(rast))):
-        if face_index[p] >= 0:
-            rast[p, 2], rast[p, 3] = depth[p], face_index[p] + first + 1
+def edge_line(points, p, q, r, x, y):
+    """Eq. (5) of rasterization.py at (x, y) for the edge p q of a corner r, and how it changes."""
+    x0, y0, x1, y1 = points[p, 0] - x, points[p, 1] - y, points[q, 0] - x, points[q, 1] - y
+    w = points[r, 3]
+    return (x0 * y1 - x1 * y0) / w, (y0 - y1) / w, (x1 - x0) / w
 
 
 @kernel
-def mix_corners(values, faces, look, chosen, part, out, out_da):
-    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), out_da (P, 2 D)
-    of the chosen (D,), 0 before. look: face_index (P,), rast (P, 4), rast_db (P or 0, 4).
+def put_runs(runs, seen, points, faces, first, rast, rast_db):
+    """Writes runs to rast (P, 4), and to rast_db (P, 4) by eq. (6) there. seen: a Picture, and the
+    depth (P,). Faces are numbered from first on.
     """
-    face_index, rast, rast_db = look
+    picture, depth = seen
+    for run in range(len(runs.start)):
+        start, end = runs.start[run], runs.end[run]
+        x, y = start % picture.width + 0.5, start // picture.width + 0.5
+        face = picture.face_index[start]
+        i, j, k = corners_of(faces, np.uintp(face))
+        a, a_x, a_y = edge_line(points, j, k, i, x, y)
+        b, b_x, b_y = edge_line(points, k, i, j, x, y)
+        c, c_x, c_y = edge_line(points, i, j, k, x, y)
+        s, s_x, s_y = a + b + c, a_x + b_x + c_x, a_y + b_y + c_y
+        for step in range(np.uintp(end - start)):
+            p, t = np.uintp(start) + step, np.int32(step)
+            r = 1 / (s + t * s_x)
+            u, v = (a + t * a_x) * r, (b + t * b_x) * r
+            rast[p, 0], rast[p, 1], rast[p, 2], rast[p, 3] = u, v, depth[p], face + first + 1
+            rast_db[p, 0], rast_db[p, 1] = (a_x - u * s_x) * r, (a_y - u * s_y) * r
+            rast_db[p, 2], rast_db[p, 3] = (b_x - v * s_x) * r, (b_y - v * s_y) * r
+
+
+@kernel
+def mix_corners(values, faces, look, channels, part, out):
+    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before.
+
+    look: face_index (P,), the weights of two corners (P, 2), and the sum of all three. channels: a
+    tuple of A numbers, so that A is known when this is compiled.
+    """
+    face_index, uv, total = look
     for p in range(np.uintp(part[0]), np.uintp(part[1])):
         if face_index[p] >= 0:
             i, j, k = corners_of(faces, np.uintp(face_index[p]))
-            u, v = np.float64(rast[p, 0]), np.float64(rast[p, 1])
-            for c in range(np.uintp(values.shape[1])):
-                out[p, c] = u * values[i, c] + v * values[j, c] + (1 - u - v) * values[k, c]
-            for d in range(np.uintp(len(chosen))):
-                c = np.uintp(chosen[d])
-                by_u, by_v = values[i, c] - values[k, c], values[j, c] - values[k, c]
-                for axis in (np.uintp(0), np.uintp(1)):
-                    out_da[p, np.uintp(2) * d + axis] = (
-                        rast_db[p, axis] * by_u + rast_db[p, np.uintp(2) + axis] * by_v)
+            u, v = np.float64(uv[p, 0]), np.float64(uv[p, 1])
+            for c in range(np.uintp(len(channels))):
+                out[p, c] = u * values[i, c] + v * values[j, c] + (total - u - v) * values[k, c]
 
 
 @kernel
-def mix_corners_backward(grad_out, values, faces, look, grads):
-    """Eq. (7): adds to grads of values (V, A), rast (P, 4), rast_db. grad_out (P, A)."""
-    face_index, rast, _ = look
-    grad_values, grad_rast, _ = grads
+def mix_corners_backward(grad_out, values, faces, look, channels, grad_values, grad_uv):
+    """Eq. (7): grad_out (P, A) adds to grad_values (V, A), and goes to grad_uv (P, 2)."""
+    face_index, uv, total = look
     for p in range(np.uintp(len(face_index))):
         if face_index[p] >= 0:
             i, j, k = corners_of(faces, np.uintp(face_index[p]))
-            u, v, grad_u, grad_v = np.float64(rast[p, 0]), np.float64(rast[p, 1]), 0.0, 0.0
-            for c in range(np.uintp(grad_out.shape[1])):
+            u, v, grad_u, grad_v = np.float64(uv[p, 0]), np.float64(uv[p, 1]), 0.0, 0.0
+            for c in range(np.uintp(len(channels))):
                 grad = np.float64(grad_out[p, c])
                 grad_u += grad * (values[i, c] - values[k, c])
                 grad_v += grad * (values[j, c] - values[k, c])
                 grad_values[i, c] += u * grad
                 grad_values[j, c] += v * grad
-                grad_values[k, c] += (1 - u - v) * grad
-            grad_rast[p, 0], grad_rast[p, 1] = grad_u, grad_v
+                grad_values[k, c] += (total - u - v) * grad
+            grad_uv[p, 0], grad_uv[p, 1] = grad_u, grad_v
 
 
-@kernel
-def derivatives_backward(grad_da, values, faces, look, chosen, grads):
-    """Adds to the same grads what comes by the derivatives (P, 2 D)."""
-    face_index, _, rast_db = look
-    grad_values, _, grad_db = grads
-    for p in range(np.uintp(len(face_index))):
-        if face_index[p] >= 0:
-            i, j, k = corners_of(faces, np.uintp(face_index[p]))
-            for d in range(np.uintp(2 * len(chosen))):
-                c, axis = np.uintp(chosen[d // 2]), d % np.uintp(2)
-                grad, across = np.float64(grad_da[p, d]), axis + np.uintp(2)
-                grad_db[p, axis] += grad * (values[i, c] - values[k, c])
-                grad_db[p, across] += grad * (values[j, c] - values[k, c])
-                grad_values[i, c] += grad * rast_db[p, axis]
-                grad_values[j, c] += grad * rast_db[p, across]
-                grad_values[k, c] -= grad * (rast_db[p, axis] + rast_db[p, across])
-
-
-def sound(clip, faces):
-    """clip and faces as kernels take them. ValueError if faces name vertices that are not there."""
-    if not 0 <= faces.min() <= faces.max() < len(clip):
-        inputs.require_faces(faces, len(clip))
-    return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
-
-
-@functools.lru_cache
-def weights_as_uv(count, first, epsilon):
-    """uv, uv_faces and epsilon of a Wrapped of so many faces, whose u and v are two of the corners'
-    weights, from the first of these on.
-    """
-    return np.eye(3, 2, -first), np.broadcast_to(np.arange(3), (count, 3)), epsilon
-
-
-def runs_of(face_index):
-    """The runs of a picture (H, W) in bands, each numbered by its first pixel."""
-    return [(runs._replace(number=runs.start),)
-            for runs, in footprint_kernels.runs_in_bands(face_index)]
+def sound(vertices, faces):
+    """vertices in 64 bits. ValueError if faces name some that are not there."""
+    if faces.size and not 0 <= faces.min() <= faces.max() < len(vertices):
+        inputs.require_faces(faces, len(vertices))
+    return np.ascontiguousarray(vertices, float)
 
 
 def draw_pixels(clip, faces, first, beyond, rast, rast_db):
-    """Writes to rast and rast_db, 0 before -> face_index, depth (H, W). Faces are numbered from
-    first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
+    """Writes to rast and rast_db, 0 before -> face_index, depth (H, W), and their runs in bands,
+    each numbered by its first pixel. Faces are numbered from first on. beyond: a depth (H, W), of
+    which only what lies deeper is seen, or None.
     """
     height, width, _ = rast.shape
-    clip, faces = sound(clip, faces)
+    clip = np.ascontiguousarray(clip, float)
     if beyond is None:
         points, face_index, depth = compiled_pipeline.seen(clip, faces, width, height)
     else:
         points, _ = compiled_pipeline.screen_vertices(clip, width, height)
         face_index, depth = scanline.rasterize(clip, faces, width, height, beyond)
-    places = weights_as_uv(len(faces), 0, 0.0)
-    mesh = footprint_kernels.Wrapped(points[:, (0, 1, 3)], faces, *places)
     pixels, changes = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
-    picture = footprint_kernels.flat(face_index)
-    list(each_band(lambda runs: footprint_kernels.footprints_along(runs, picture, mesh, pixels,
-                                                                   changes), runs_of(face_index)))
-    pack(picture.face_index, depth.ravel(), first, pixels)
-    return face_index, depth
+    seen = footprint_kernels.flat(face_index), depth.ravel()
+    bands = [(runs._replace(number=runs.start),)
+             for runs, in footprint_kernels.runs_in_bands(face_index)]
+    list(each_band(lambda runs: put_runs(runs, seen, points, faces, first, pixels, changes), bands))
+    return face_index, depth, bands
 
 
-def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsilon):
+def draw_pixels_backward(grad_rast, grad_rast_db, face_index, bands, clip, faces, epsilon):
     """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
-    clip, faces = sound(clip, faces[:, (2, 0, 1)])  # the first one has 0 for u and for v
-    mesh = footprint_kernels.Wrapped(clip, faces, *weights_as_uv(len(faces), 1, epsilon))
-    grads = (np.zeros((face_index.size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
-             for grad in (grad_rast, grad_rast_db))
-    picture = footprint_kernels.flat(face_index)
-    return footprint_kernels.gradients(*grads, picture, mesh, runs_of(face_index))[1]
+    faces = faces[:, (2, 0, 1)]  # the first one has 0 for u and for v
+    mesh = footprint_kernels.Wrapped(sound(clip, faces), faces, np.eye(3, 2, -1),
+                                     np.broadcast_to(np.arange(3), faces.shape), epsilon)
+    grads = (np.zeros((size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
+             for grad, size in ((grad_rast, face_index.size), (grad_rast_db, 0)))
+    return footprint_kernels.gradients(*grads, footprint_kernels.flat(face_index), mesh, bands)[1]
 
 
 def unpacked(rast):
@@ -161,42 +145,25 @@ def unpacked(rast):
     return face_index, depth
 
 
-def look_at(face_index, rast, rast_db):
-    """What `mix_corners` looks at."""
-    rast_db = np.empty((0, 4), np.float32) if rast_db is None else rast_db.reshape(-1, 4)
-    return face_index.ravel(), rast.reshape(-1, 4), rast_db
-
-
-def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
-    """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
-    (P, 2 D).
+def mix_attributes(values, faces, face_index, uv, total, out):
+    """Writes lab 5's `interpolate` of values (V, A) to out (P, A), 0 before. uv (P, 2): the weights
+    of two corners; total: the sum of all three.
     """
-    values, faces = sound(values, faces)
-    look = look_at(face_index, rast, rast_db)
-    out, out_da = (np.zeros((face_index.size, count), np.float32)
-                   for count in (values.shape[1], 2 * len(chosen)))
-    on_all_cores(lambda *part: mix_corners(values, faces, look, chosen, part, out, out_da),
-                 len(out), len(out))
-    return out, out_da
+    given = sound(values, faces), faces, (face_index.ravel(), uv, total), constant(out.shape[1])
+    on_all_cores(lambda *part: mix_corners(*given, part, out), len(out), len(out))
 
 
-def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
-    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
-    may be None.
-    """
-    values, faces = sound(values, faces)
-    look = look_at(face_index, rast, rast_db)
-    grads = np.zeros(values.shape), np.zeros_like(look[1]), np.zeros_like(look[2])
-    if grad_out is not None:
-        mix_corners_backward(grad_out, values, faces, look, grads)
-    if grad_da is not None:
-        derivatives_backward(grad_da, values, faces, look, chosen, grads)
-    return grads
+def mix_attributes_backward(grad_out, values, faces, face_index, uv, total, grad_uv):
+    """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
+    values, grad_values = sound(values, faces), np.zeros(values.shape)
+    mix_corners_backward(grad_out, values, faces, (face_index.ravel(), uv, total),
+                         constant(values.shape[1]), grad_values, grad_uv)
+    return grad_values
 
 
 def blended_pairs(face_index, depth, clip, faces, opposite):
     """`outlines.blended_pairs`."""
-    clip, faces = sound(clip, faces)
+    clip = sound(clip, faces)
     points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
     return compiled_pipeline.all_pairs(face_index, depth, clip, points, faces, opposite,
                                        walks=False)

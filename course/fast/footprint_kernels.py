@@ -175,21 +175,27 @@ def sums_along(weighted, whole, look, axis, grad_at, grad_footprint):
     whole = sum n_k.
     """
     # N = weighted, S = whole: u = N / S and du/dX = (N_X - u S_X) / S at N = N_e + t N_X, and so S.
-    # With the gradients g of u, g_X of du/dX, g_Y: dL/dN = (g - (S_X g_X + S_Y g_Y) / S) / S = p,
-    # dL/dN_X = g_X / S + t p,  -dL/dS = u p + (du/dX g_X + du/dY g_Y) / S,  -dL/dS_X = u g_X / S.
+    # With the gradients g of u, g_X of du/dX, g_Y, and q = (S_X g_X + S_Y g_Y) / S^2:
+    # dL/dN = g / S - q = p,    -dL/dS = u p + (N_X g_X + N_Y g_Y) / S^2 - u q = m,
+    # dL/dN_X = g_X / S + t p,  -dL/dS_X = u g_X / S + t m.
     p_x, p_y, p_e, p_t, m_x, m_y, m_e, m_t = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    has_footprint = len(grad_footprint) > 0
     for i in range(np.uintp(look.count)):
         t = np.int32(i) * look.step_x
         s = whole.w + t * whole.x
         r = 0.0 if s == 0 else 1 / (s + np.copysign(look.epsilon, s))
         u = (weighted.w + t * weighted.x) * r
         k, column = np.uintp(look.number) + i, np.uintp(2 * axis)
-        g_x = r * look.step_x * grad_footprint[k, column]
-        g_y = r * look.step_y * grad_footprint[k, column + np.uintp(1)]
-        p = r * (grad_at[k, axis] - (whole.x * g_x + whole.y * g_y))
-        m = u * p + r * ((weighted.x - u * whole.x) * g_x + (weighted.y - u * whole.y) * g_y)
-        p_x, p_y, p_e, p_t = p_x + g_x, p_y + g_y, p_e + p, p_t + t * p
-        m_x, m_y, m_e, m_t = m_x + u * g_x, m_y + u * g_y, m_e + m, m_t + t * m
+        p = r * grad_at[k, axis]
+        m = u * p
+        if has_footprint:
+            g_x = r * look.step_x * grad_footprint[k, column]
+            g_y = r * look.step_y * grad_footprint[k, column + np.uintp(1)]
+            q = r * (whole.x * g_x + whole.y * g_y)
+            p -= q
+            m += r * (weighted.x * g_x + weighted.y * g_y) - 2 * u * q
+            p_x, p_y, m_x, m_y = p_x + g_x, p_y + g_y, m_x + u * g_x, m_y + u * g_y
+        p_e, p_t, m_e, m_t = p_e + p, p_t + t * p, m_e + m, m_t + t * m
     return Vector(p_x + p_t, p_y, p_e), Vector(m_x + m_t, m_y, m_e)
 
 
@@ -328,7 +334,7 @@ def footprints_backward(grad_at, grad_footprint, clip, face_index, faces, uv, uv
 
 
 def gradients(grad_at, grad_footprint, picture, mesh, bands):
-    """The way back to a Wrapped mesh: grad_at (N, 2 or more), grad_footprint (N, 4)."""
+    """The way back to a Wrapped mesh: grad_at (N, 2 or more), grad_footprint (N or 0, 4)."""
     grad_clip, grad_uv = np.zeros(mesh.vertices.shape), np.zeros(mesh.uv.shape)
 
     def band(runs):

@@ -23,8 +23,9 @@ Screen = namedtuple("Screen", "face_index depth width height")
 # points (V, 4) on screen, faces, opposite (F, 3).
 Surface = namedtuple("Surface", "points faces opposite")
 
-# What is walked on, how many steps a walk may take, and how far: to c = most.
-Search = namedtuple("Search", "face_index width surface steps most")
+# What is walked on, how many steps a walk may take, and how far: to c = most. outlined (F or 0,):
+# 2 for a face that has an edge on an outline, 1 for others, 0 before that is asked.
+Search = namedtuple("Search", "face_index width surface steps most outlined")
 
 # A vertex: x, y and w on screen, or x and y in the frame of a pair.
 Point = namedtuple("Point", "x y w")
@@ -68,6 +69,17 @@ def is_silhouette(points, faces, opposite, at):
     return own == is_clockwise(point(points, faces[across // 3, across % 3]),
                                point(points, faces[at.face, (at.edge + 1) % 3]),
                                point(points, faces[at.face, (at.edge + 2) % 3]))
+
+
+@kernel
+def may_own(search, face):
+    """May a face own a blended pair? Where nothing walks, it has an edge on an outline."""
+    (points, faces, opposite), known = search.surface, search.outlined
+    if len(known) and known[face] == 0:
+        for edge in range(3):
+            fold = is_silhouette(points, faces, opposite, Crossing(face, edge, 0.0))
+            known[face] = max(known[face], 1 + fold)
+    return not len(known) or known[face] == 2
 
 
 @kernel
@@ -146,9 +158,9 @@ def frame_of(owner, other, width):
 
 
 @kernel
-def neighbours(axis, screen, rows, pairs, n):
-    """The pairs along x (axis 0) or y (axis 1) that see different faces, after the first n -> how
-    many there are now.
+def neighbours(axis, search, screen, rows, pairs, n):
+    """The pairs along x (axis 0) or y (axis 1) that see different faces and may be blended, after
+    the first n -> how many there are now.
     """
     face_index, depth, width, height = screen
     owner, other = pairs.owner, pairs.other
@@ -161,7 +173,7 @@ def neighbours(axis, screen, rows, pairs, n):
                 is_first = depth[first] < depth[second]
                 owner[n] = first if is_first else second
                 other[n] = second if is_first else first
-                n += 1
+                n += may_own(search, np.intp(face_index[owner[n]]))
     return n
 
 
@@ -239,9 +251,11 @@ def find_pairs(screen, surface, rows, pairs, through, walks):
     Unless it walks, only edges of the owner's face count, as nvdiffrast has it.
     """
     steps, most = (2 * len(surface.faces), 1.0) if walks else (1, np.inf)
-    search = Search(screen.face_index, screen.width, surface, steps, most)
-    beside, met = keep_outlines(search, pairs, 0, neighbours(0, screen, rows, pairs, 0), through, 0)
-    end = neighbours(1, screen, rows, pairs, beside)
+    outlined = np.zeros(0 if walks else len(surface.faces), np.uint8)
+    search = Search(screen.face_index, screen.width, surface, steps, most, outlined)
+    end = neighbours(0, search, screen, rows, pairs, 0)
+    beside, met = keep_outlines(search, pairs, 0, end, through, 0)
+    end = neighbours(1, search, screen, rows, pairs, beside)
     return (beside, met), keep_outlines(search, pairs, beside, end, through, met)
 
 

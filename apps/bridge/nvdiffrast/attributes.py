@@ -46,14 +46,13 @@ class Interpolate(torch.autograd.Function):
         require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
                 f"pictures, as rast has; it has those of {count}")
         kernels = tensors.kernels(attr, rast, rast_db)
-        ctx.way, ctx.given = kernels or sys.modules[__name__], []
+        ctx.way = kernels or sys.modules[__name__]
         pictures = array("rast", rast, "n h w 4").reshape(count, -1, rast.shape[2], 4)
-        changes = count * [None] if rast_db is None else array(
+        changes = np.empty((count, 0, 4), np.float32) if rast_db is None else array(
             "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
-        for value, pixels, change in zip(values, pictures, changes, strict=True):
-            face_index, _ = seen_in(pixels, len(faces), kernels)
-            ctx.given.append((value, faces, face_index, pixels, change, chosen))
-        out, out_da = zip(*(ctx.way.mix_attributes(*given) for given in ctx.given), strict=True)
+        ctx.given = [(value, faces, seen_in(pixels, len(faces), kernels)[0], pixels, change, chosen)
+                     for value, pixels, change in zip(values, pictures, changes, strict=True)]
+        out, out_da = zip(*(mixed(ctx.way, *given) for given in ctx.given), strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)
         return (joined(out, attr, (*rast.shape[:3], attr.shape[-1])),
@@ -65,7 +64,7 @@ class Interpolate(torch.autograd.Function):
         attr, rast, _, rast_db = ctx.saved_tensors
         rows = (len(ctx.given) * [None] if grad is None or not grad.shape[-1] else
                 grad.numpy().reshape(len(ctx.given), -1, grad.shape[-1]) for grad in grads)
-        found = [ctx.way.mix_attributes_backward(grad_out, grad_da, *given)
+        found = [mixed_backward(ctx.way, grad_out, grad_da, *given)
                  for grad_out, grad_da, given in zip(*rows, ctx.given, strict=True)]
         by_attr, by_rast, by_db = zip(*found, strict=True)
         has_db = rast_db is not None and grads[1] is not None
@@ -73,47 +72,61 @@ class Interpolate(torch.autograd.Function):
                 joined(by_db, rast_db) if has_db else None, None)
 
 
-def corner_weights(uv, total):
-    """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
-    uv = uv.astype(float)
-    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
-
-
-def kinds(values, rast, rast_db, chosen):
-    """The corners' attributes (V, A or D) to mix, and their weights (H, W, 3): of the attributes,
-    and of the derivatives of those chosen along x and along y.
+def columns(chosen, rast, rast_db, out, out_da):
+    """Which attributes are mixed, with u and v (P, 2) of which corners' weights, whose sum is what,
+    and where the result is: all attributes, then how those chosen (D,) change along x and along y.
     """
-    yield values, corner_weights(rast[..., :2], 1)
-    if len(chosen):
-        for axis in (0, 1):
-            yield values[:, chosen], corner_weights(rast_db[..., axis::2], 0)
+    yield slice(None), rast.reshape(-1, 4)[:, :2], 1.0, out
+    for axis in (0, 1) if len(chosen) else ():
+        yield (chosen, rast_db.reshape(-1, 4)[:, axis::2], 0.0,
+               None if out_da is None else out_da[:, axis::2])
 
 
-def mix_attributes(values, faces, face_index, rast, rast_db, chosen):
+def mixed(way, values, faces, face_index, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
     (P, 2 D). face_index (H, W); rast and rast_db (H, W, 4).
     """
-    out, *by_axis = (tensors.labs.interpolation.interpolate(each, faces, face_index, weights)
-                     for each, weights in kinds(values, rast, rast_db, chosen))
-    by_axis = np.stack(by_axis, -1) if by_axis else np.empty((*face_index.shape, 0))
-    return out.reshape(face_index.size, -1), by_axis.reshape(face_index.size, 2 * len(chosen))
+    made = [np.zeros((face_index.size, count), values.dtype)
+            for count in (values.shape[1], 2 * len(chosen))]
+    for of, uv, total, out in columns(chosen, rast, rast_db, *made):
+        way.mix_attributes(values[:, of], faces, face_index, uv, total, out)
+    return made
 
 
-def mix_attributes_backward(grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
-    """Backward of `mix_attributes` -> gradients of values, rast and rast_db. grad_out and grad_da
-    may be None.
+def mixed_backward(way, grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+    """Backward of `mixed` -> gradients of values, rast and rast_db. grad_out and grad_da may be
+    None.
     """
-    grad_values = np.zeros(values.shape)
-    grad_rast, grad_db = np.zeros((2, *face_index.shape, 4))
-    columns = np.arange(values.shape[1]), chosen, chosen
-    by_axis = 2 * [None] if grad_da is None else (grad_da[:, 0::2], grad_da[:, 1::2])
-    into = grad_rast[..., :2], grad_db[..., 0::2], grad_db[..., 1::2]
-    for (each, weights), at, grad, grad_uv in zip(
-            kinds(values, rast, rast_db, chosen), columns, (grad_out, *by_axis), into,
-            strict=False):
+    grads = np.zeros(values.shape), np.zeros_like(rast), np.zeros_like(rast_db)
+    looks = columns(chosen, rast, rast_db, grad_out, grad_da)
+    into = columns(chosen, *grads[1:], None, None)
+    for (of, uv, total, grad), (_, grad_uv, *_) in zip(looks, into, strict=True):
         if grad is not None:
-            by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
-                grad.reshape(*face_index.shape, -1), each, faces, face_index, weights)
-            np.add.at(grad_values, (slice(None), at), by_corner)
-            grad_uv[...] = by_weight[..., :2] - by_weight[..., 2:]  # as weight 2 is total - u - v
-    return grad_values, grad_rast, grad_db
+            by_corner = way.mix_attributes_backward(grad, values[:, of], faces, face_index, uv,
+                                                    total, grad_uv)
+            for c, by in zip(np.arange(values.shape[1])[of], by_corner.T, strict=True):
+                grads[0][:, c] += by  # one by one, as chosen may have a number twice
+    return grads
+
+
+def corner_weights(face_index, uv, total):
+    """u and v (P, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
+    uv = uv.reshape(*face_index.shape, 2).astype(float)
+    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+
+
+def mix_attributes(values, faces, face_index, uv, total, out):
+    """Writes `mixed` for one of `columns` to out (P, A)."""
+    weights = corner_weights(face_index, uv, total)
+    out[...] = tensors.labs.interpolation.interpolate(values, faces, face_index,
+                                                      weights).reshape(out.shape)
+
+
+def mix_attributes_backward(grad_out, values, faces, face_index, uv, total, grad_uv):
+    """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
+    by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
+        grad_out.reshape(*face_index.shape, -1), values, faces, face_index,
+        corner_weights(face_index, uv, total))
+    by_weight = by_weight.reshape(-1, 3)
+    grad_uv[...] = by_weight[:, :2] - by_weight[:, 2:]  # as weight 2 is total - u - v
+    return by_corner

@@ -1,6 +1,5 @@
 """Outlines that are smooth, and pull at the vertices: antialias."""
 import functools
-from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -13,16 +12,9 @@ from .pixels import seen_in
 EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
 
 
-class TopologyHash(NamedTuple):
-    """The vertices (F, 3) across each edge of each face."""
-
-    opposite: np.ndarray
-
-
 def antialias_construct_topology_hash(tri):
-    """What `antialias` needs of the faces (F, 3), which is kept for a mesh in any case."""
-    faces = array("tri", tri, "f 3", INTEGERS)
-    return TopologyHash(opposite_corners(faces.tobytes(), tensors.labs.package))
+    """The vertices (F, 3) across each edge of each face, kept for a mesh in any case."""
+    return opposite_corners(array("tri", tri, "f 3", INTEGERS).tobytes(), tensors.labs.package)
 
 
 @functools.lru_cache(maxsize=16)
@@ -37,12 +29,13 @@ def antialias(color, rast, pos, tri, topology_hash=None, pos_gradient_boost=1.0)
 
     rast, pos and tri as of `rasterize`. pos_gradient_boost multiplies the gradient of pos.
     """
-    topology_hash = topology_hash or antialias_construct_topology_hash(tri)
-    require(isinstance(topology_hash, TopologyHash), "topology_hash must come from "
-            "antialias_construct_topology_hash()")
+    if topology_hash is None:
+        topology_hash = antialias_construct_topology_hash(tri)
+    require(getattr(topology_hash, "shape", None) == tri.shape, "topology_hash must come from "
+            "antialias_construct_topology_hash(tri)")
     require(color.shape[:3] == rast.shape[:3], f"color and rast must be of the same pictures; they "
             f"have {tuple(color.shape)} and {tuple(rast.shape)}")
-    return Antialias.apply(color, rast, pos, tri, topology_hash.opposite, pos_gradient_boost)
+    return Antialias.apply(color, rast, pos, tri, topology_hash, pos_gradient_boost)
 
 
 class Antialias(torch.autograd.Function):
@@ -53,16 +46,16 @@ class Antialias(torch.autograd.Function):
         faces = array("tri", tri, "f 3", INTEGERS)
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
-        out, ctx.pairs = np.empty_like(colours), []
+        out, ctx.pairs = [], []
         kernels = tensors.kernels(color, rast, pos)
         ctx.lab8 = kernels or tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
             face_index, depth = seen_in(seen[n], len(faces), kernels)
             ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
-            out[n] = ctx.lab8.blend_pairs(colours[n], ctx.pairs[n])
+            out.append(ctx.lab8.blend_pairs(colours[n], ctx.pairs[n]))
         ctx.save_for_backward(color, pos)
         ctx.boost = boost
-        return torch.from_numpy(out)
+        return joined(out, color)
 
     @staticmethod
     @tensors.first_order

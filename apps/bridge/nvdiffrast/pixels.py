@@ -1,6 +1,5 @@
 """What each pixel sees: rasterize, layer by layer if need be."""
 import operator
-import os
 import sys
 
 import numpy as np
@@ -12,7 +11,7 @@ from apps.bridge.tensors import INTEGERS, array, joined, require
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
 EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
 CODE = 0x4A800000  # the float32 whose bits are this and the number
-GRID = int(os.environ.get("BRIDGE_GRID", 0))  # in a pixel, vertices have so many places; 0: all
+GRID = tensors.GRID
 
 
 class RasterizeCudaContext:
@@ -46,10 +45,10 @@ def rasterize(glctx, pos, tri, resolution, ranges=None, grad_db=True):
 
 
 def asked(glctx, pos, tri, resolution, ranges, grad_db):
-    """The arguments of `rasterize` but for its context, with a Screen."""
+    """The arguments of `rasterize` but for its context, checked."""
     require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
     require(isinstance(grad_db, bool), f"grad_db must be True or False; it is {grad_db}")
-    return pos, tri, Screen(resolution), ranges, grad_db
+    return pos, tri, size_of(resolution), ranges, grad_db
 
 
 class DepthPeeler:
@@ -75,16 +74,15 @@ class DepthPeeler:
         return Rasterize.apply(*self.given, self.depths)
 
 
-class Screen:
-    """The size of pictures: resolution is height, width."""
-
-    def __init__(self, resolution):
-        try:
-            self.height, self.width = map(operator.index, resolution)
-        except (TypeError, ValueError):  # not whole, or not two
-            self.height = self.width = 0
-        require(self.height > 0 and self.width > 0, "resolution must be (height, width), whole "
-                f"numbers above 0; it is {resolution}")
+def size_of(resolution):
+    """height, width."""
+    try:
+        height, width = map(operator.index, resolution)
+    except (TypeError, ValueError):  # not whole, or not two
+        height = width = 0
+    require(height > 0 and width > 0, "resolution must be (height, width), whole numbers above 0; "
+            f"it is {resolution}")
+    return height, width
 
 
 def pictures(pos, tri, ranges):
@@ -93,26 +91,27 @@ def pictures(pos, tri, ranges):
     if pos.ndim == 3:
         return [(clip, faces, 0) for clip in array("pos", pos, "n v 4")]
     require(ranges is not None, "pos must have the shape (n, v, 4), or ranges must be given")
-    clip = array("pos", pos, "v 4")
-    return [(clip, faces[first:first + count], first)
-            for first, count in array("ranges", ranges, "n 2", INTEGERS).tolist()]
+    clip, rows = array("pos", pos, "v 4"), array("ranges", ranges, "n 2", INTEGERS).tolist()
+    require(all(0 <= first <= first + count <= len(faces) for first, count in rows), "ranges must "
+            f"be first faces and counts, within the {len(faces)} of tri; they are {rows}")
+    return [(clip, faces[first:first + count], first) for first, count in rows]
 
 
 class Rasterize(torch.autograd.Function):
     """Labs 2 and 7."""
 
     @staticmethod
-    def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
+    def forward(ctx, pos, tri, size, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
-        rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
+        rast, rast_db = np.zeros((2, len(batch), *size, 4), batch[0][0].dtype)
         ctx.seen, ctx.way = [], (not GRID and tensors.kernels(pos)) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
-            face_index, depth = ctx.way.draw_pixels(
+            face_index, depth, *runs = ctx.way.draw_pixels(
                 clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
             if first + len(faces) > EXACT:
                 rast[n, ..., 3] = coded(np.where(face_index < 0, 0, face_index + (first + 1)),
                                         rast.dtype)
-            ctx.seen.append(face_index)
+            ctx.seen.append((face_index, *runs))
             if depths is not None:
                 depths[n] = depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
@@ -128,7 +127,7 @@ class Rasterize(torch.autograd.Function):
         grads_db = grad_rast_db if ctx.grad_db else None
         grads = [ctx.way.draw_pixels_backward(*(None if grad is None else grad[n].numpy()
                                          for grad in (grad_rast, grads_db)),
-                                       ctx.seen[n], clip, faces, EPSILON)
+                                       *ctx.seen[n], clip, faces, EPSILON)
                  for n, (clip, faces, _) in enumerate(ctx.batch)]
         grad_pos = joined(grads if pos.ndim == 3 else [sum(grads)], pos)
         return grad_pos, None, None, None, None, None

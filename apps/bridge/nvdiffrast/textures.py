@@ -30,8 +30,8 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     if "mipmap" not in mode:
         uv_da = mip_level_bias = None
         mip = MipStack([])
-    require(mip is None or isinstance(mip, MipStack | list), "mip must be a list of tensors or "
-            "come from texture_construct_mip()")
+    require(mip is None or (mip and isinstance(mip, MipStack | list)), "mip must be a list of "
+            "tensors or come from texture_construct_mip()")
     stack, pixels = (mip if isinstance(mip, list) else []), (uv, uv_da, mip_level_bias)
     how = how_to_read(mode, boundary_mode, not isinstance(mip, list), (tex, *pixels))
     texels = [pictures_of(level, is_cube) for level in (tex, *stack)]
@@ -170,9 +170,13 @@ class Texture(torch.autograd.Function):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
         levels, places, how = ctx.reading
         rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
-        back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
+        is_whole = how.is_compiled or any(ctx.needs_input_grad[1:4])
+        back = whole_backward if is_whole else texels_backward
         grads = [back(*each, how.sampler) for each in zip(rows, levels, places, strict=True)]
         levels, *pixels = zip(*grads, strict=True)
+        uv = None if how.sampler.filter_mode == "nearest" else uv
+        if how.sampler.filter_mode != "linear-mipmap-linear":
+            uv_da = bias = None
         if how.is_made:  # what a level gets goes down to the texture
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))
@@ -211,8 +215,6 @@ def whole_backward(grad, levels, place, sampler):
 
 def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
-    if place.matrix is None:
-        return whole_backward(grad, levels, place, sampler)[:1] + 3 * (None,)
     labs = tensors.labs.mipmapping
     return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
 

@@ -191,9 +191,9 @@ def test_a_batch_is_its_pictures_and_ranges_are_meshes():
     for n in (0, 1):
         alone, _ = dr.rasterize(CONTEXT, pos[n:n + 1], tri, size)
         torch.testing.assert_close(both[n:n + 1], alone, rtol=0, atol=0)
-    ranges = torch.tensor([[1, 1], [0, 2]], dtype=torch.int32)
+    ranges = torch.tensor([[1, 1], [0, 2], [2, 0]], dtype=torch.int32)
     ranged, _ = dr.rasterize(CONTEXT, pos[0], tri, size, ranges)
-    assert set(ranged[0, ..., 3].unique().tolist()) == {0, 2}
+    assert set(ranged[0, ..., 3].unique().tolist()) == {0, 2} and not ranged[2].any()
     torch.testing.assert_close(ranged[1], both[0], rtol=0, atol=0)
     attr = torch.rand(6, 3, requires_grad=True)
     out, _ = dr.interpolate(attr, ranged.detach(), tri)
@@ -263,6 +263,9 @@ def attributes(pos, tri, size, chosen):
     return dr.interpolate(pos, *seen(pos, tri, size)[:1], tri, torch.zeros(2, *size, 4), chosen)
 
 
+ODD = torch.ones(1, 6, 4, 1), torch.zeros(1, 2, 2, 2), torch.ones(1, 2, 2, 4)  # has level 1 alone
+
+
 @pytest.mark.parametrize(("call", "said"), [
     (lambda pos, tri, size: seen(pos.half(), tri, size), "pos must be of torch.float32, not"),
     (lambda pos, tri, size: seen(pos, tri.long(), size), "tri must be of torch.int32, not"),
@@ -270,6 +273,8 @@ def attributes(pos, tri, size, chosen):
     (lambda pos, tri, size: seen(pos[..., :3].contiguous(), tri, size), r"the shape \(n, v, 4\)"),
     (lambda pos, tri, size: seen(pos[:0], tri, size), r"nothing of it empty; it has \(0, 6, 4\)"),
     (lambda pos, tri, size: seen(pos[0], tri, size), "or ranges must be given"),
+    *((lambda pos, tri, size, row=row: seen(pos[0], tri, size, torch.tensor([row]).int()),
+       "first faces and counts, within the 2 of tri; they are") for row in ([1, 2], [-1, 1])),
     (lambda pos, tri, size: seen(pos.to("meta"), tri, size), "pos is on meta: this code works on"),
     *((lambda pos, tri, _, size=size: seen(pos, tri, size), r"\(height, width\), whole numbers")
       for size in ((8.7, 8.2), "88", (8, 0), (8,), 8)),
@@ -281,7 +286,12 @@ def attributes(pos, tri, size, chosen):
      "rast sees face 1, and tri has 1: give the faces that rast was made of"),
     (lambda pos, tri, size: dr.antialias(*2 * seen(pos, tri, size)[:1], pos, tri[:1]), "rast see"),
     (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), torch.ones(4, 4, 2)), r"shape \(n, h, w, 2\)"),
-    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), np.ones((1, 4, 4, 2))), "uv must be a tensor")])
+    (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), np.ones((1, 4, 4, 2))), "uv must be a tensor"),
+    (lambda *_: dr.texture(*ODD, mip=[]), "mip must be a list of tensors or come from"),
+    (lambda *_: dr.texture(*ODD), "no mip level 2, as 3 x 2 cannot be halved"),
+    (lambda pos, tri, size: dr.antialias(
+        *2 * seen(pos, tri, size)[:1], pos, tri, dr.antialias_construct_topology_hash(tri[:1])),
+     r"come from antialias_construct_topology_hash\(tri\)")])
 def test_what_does_not_fit_is_said(call, said):
     """A wrong tensor ends deep in the labs, or is taken."""
     pos, tri, size = made_scene(torch.float32)
@@ -342,9 +352,10 @@ def test_the_first_derivative_may_have_a_graph():
         grad.sum().backward()
 
 
-def test_an_odd_texture_has_no_levels():
-    """The pyramid ends early and nobody is told."""
-    given = torch.ones(1, 6, 4, 1), torch.zeros(1, 2, 2, 2), torch.ones(1, 2, 2, 4)
-    with pytest.raises(RuntimeError, match="no mip level 2, as 3 x 2 cannot be halved"):
-        dr.texture(*given)
-    assert dr.texture(*given, max_mip_level=1).shape == (1, 2, 2, 1)
+@pytest.mark.parametrize(("filter_mode", "count"), [
+    ("nearest", 1), ("linear-mipmap-nearest", 2), ("linear-mipmap-linear", 4)])
+def test_what_a_filter_does_not_follow_has_no_gradient(filter_mode, count):
+    """It has zeros, with which Adam decays weights."""
+    given = [each.clone().requires_grad_() for each in (*ODD, torch.zeros(1, 2, 2))]
+    dr.texture(*given, filter_mode=filter_mode, max_mip_level=1).sum().backward()
+    assert [each.grad is None for each in given] == [n >= count for n in range(4)]
