@@ -47,7 +47,7 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
         if mistaken.shape == got.shape and np.all(agrees(got, mistaken)):
             several = speaking >= 2 or got.shape != expected.shape
             return Suspicion(sentence, speaking >= ENOUGH) if several else None
-    if got.shape != expected.shape or not is_numeric(got, expected):
+    if got.shape != expected.shape or got.dtype.kind not in "biufc":
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     found = [*whole_numbers(got, expected),
@@ -55,8 +55,8 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
             *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
-            *in_a_part(got, expected, wrong, agrees, inputs),
-            *by_index(wrong, inputs, np.isfinite(got).all())]
+            *in_a_part(got, expected, wrong, agrees, inputs)] if is_numeric(got, expected) else []
+    found += by_index(wrong, inputs, np.isfinite(got).all())
     sure = found and not found[0].endswith(("?", ANYWHERE)) and speaking >= ENOUGH
     return Suspicion(found[0], sure) if found else None
 
@@ -313,8 +313,8 @@ def by_index(wrong, inputs, finite):
         if none.any() and not none.all() and wrong.shape[:index.ndim] == index.shape:
             at = wrong.reshape(*index.shape, -1).any(-1)
             if at.any() and not (at & ~none).any():
-                yield (f"it is wrong only where {name} is -1, which means none: "
-                       "NumPy takes -1 for the last")
+                yield (f"it is wrong only where {name} is -1, which means none; "
+                       "as an index, -1 takes the last")
         if wrong.ndim and 0 <= index.max() < len(wrong):
             rows = wrong.reshape(len(wrong), -1).any(-1)
             times = np.bincount(index[index >= 0], minlength=len(wrong))

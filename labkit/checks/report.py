@@ -187,13 +187,14 @@ def is_misshaped(error):
 
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else "", as after a crash,
-    where the shape is wrong, or NaN came and they do not speak of it.
+    where shape or kind are wrong, or NaN came and they do not speak of it.
     """
-    if not isinstance(error, AssertionError) or is_misshaped(error) or (
+    differs = dict(rows).get("differs", "")
+    if not isinstance(error, AssertionError) or differs.startswith(("in shape", "in kind", "a tuple")) or (
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     text = " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
-    has_nan = isinstance(error, Mismatch) and NAN in dict(rows).get("differs", "")
+    has_nan = NAN in differs
     return "" if has_nan and "nan" not in text.lower() else text
 
 
@@ -233,7 +234,8 @@ def said(error, item):
         expected = re.search(r"expected (\d+)", str(error))
         parts = f"of {expected[1]}" if expected else "of several outputs"
         return f"{name} returned {came}; a tuple {parts} is expected"
-    return f"what {name} returned does not fit: {text}"
+    order = ": are its axes those of the question, and in that order?" * hasattr(returned, "shape")
+    return f"what {name} returned does not fit{order}\n{text}"
 
 
 def saved(call):
