@@ -200,6 +200,8 @@ def named(factor, inputs):
             return words
     sizes = {name: value for name, value in inputs if not np.iterable(value)}
     sizes |= {f"len({name})": len(value) for name, value in inputs if np.iterable(value)}
+    sizes |= {f"{name}.shape[1]": value.shape[1] for name, value in inputs
+              if np.ndim(value) > 1 and value.shape[1] > 4}  # else it is no width: (F, 3)
     size = max(abs(factor), 1 / abs(factor))
     found = [f"{name}{part}" for name, value in sizes.items()
              if isinstance(value, int | float | np.number) and not isinstance(value, bool)
@@ -281,17 +283,17 @@ def in_a_part(got, expected, wrong, agrees, inputs):
 
 
 def places(wrong, inputs):
-    """Yield (" in [..., 1]", all of it): a place along a short axis where all is that is wrong.
+    """Yield (" in [..., 1]", all of it): the places along a short axis where all is that is wrong.
 
     Then (" where w < 0", all of it): the sign of an input, if it is wrong just there.
     """
     for axis in reversed(range(wrong.ndim)):
         others = tuple(k for k in range(wrong.ndim) if k != axis)
         along = np.flatnonzero(wrong.any(others))
-        if len(along) == 1 < wrong.shape[axis] <= 4:
-            after = [":"] * (wrong.ndim - 1 - axis)
-            whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
-            yield f" in [{', '.join(['...', str(along[0]), *after])}]", whole
+        whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
+        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or wrong[whole].all()):
+            after = ", :" * (wrong.ndim - 1 - axis)
+            yield " in " + " and ".join(f"[..., {k}{after}]" for k in along), whole
     for name, value in inputs:
         for title, column in columns(name, as_array(value)):
             rows = wrong.reshape(*wrong.shape[:column.ndim], -1).any(-1)

@@ -28,7 +28,7 @@ MOST = 1 << 18          # numbers that a fingerprint is taken of
 MOST_MADE = 1 << 20     # numbers and lists, of which each row is one, that it makes of an answer
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 WHY = r"[,;:] (?![^\[]*\]).*$"  # of a suspicion: a comma in [..., 1] ends nothing
-PLACE = r"( in \[[^\]]*\]| in all that is wrong| where [^,;:]*)"
+PLACE = r"( in (?:\[[^\]]*\](?: and )?)+| in all that is wrong| where [^,;:]*)"
 
 
 def suspected(compared, call, returned):

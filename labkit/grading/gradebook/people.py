@@ -87,9 +87,11 @@ def due_times(handed_in, people) -> dict[str, float]:
 
 def said(handed_in, people):
     """Sentences on lines that fit nobody: they have not handed in, or are misspelt."""
-    known = called(handed_in)
-    return [f"{person.where}: " + (
-        f"{len(known[person.name])} are called so, and the line counts for none: "
-        f"{', '.join(known[person.name])}" if person.name in known else
-        f"nothing was handed in by {person.group or person.name}")
-        for person in people if len(known.get(person.name, ())) != 1]
+    known, alone = called(handed_in), {one.student for one in handed_in if not one.group}
+    for person in people:
+        students = known.get(person.name, ())
+        if len(students) > 1:
+            yield (f"{person.where}: {len(students)} are called so, and the line counts for none: "
+                   f"{', '.join(students)}")
+        elif not students or (person.group and students[0] in alone):
+            yield f"{person.where}: nothing was handed in by {person.group or person.name}"
