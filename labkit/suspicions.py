@@ -269,7 +269,7 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place, whole = next(places(wrong, inputs), (ANYWHERE, None))
+    place, whole = next(places(wrong, wrong | (expected == 0), inputs), (ANYWHERE, None))
     several = whole is not None or len(set(np.abs(right))) > 1  # else any number is a multiple
     if whole is not None and np.ptp(got[whole]) == 0 and (
             np.ptp(expected[whole]) or not got[whole].any()):
@@ -282,8 +282,9 @@ def in_a_part(got, expected, wrong, agrees, inputs):
             yield f"it is {factor:.6g} times what was expected{place}{named(factor, inputs)}"
 
 
-def places(wrong, inputs):
+def places(wrong, wrong_or_zero, inputs):
     """Yield (" in [..., 1]", all of it): the places along a short axis where all is that is wrong.
+    Several are wrong all over, but for zeros.
 
     Then (" where w < 0", all of it): the sign of an input, if it is wrong just there.
     """
@@ -291,7 +292,7 @@ def places(wrong, inputs):
         others = tuple(k for k in range(wrong.ndim) if k != axis)
         along = np.flatnonzero(wrong.any(others))
         whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
-        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or wrong[whole].all()):
+        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or wrong_or_zero[whole].all()):
             after = ", :" * (wrong.ndim - 1 - axis)
             yield " in " + " and ".join(f"[..., {k}{after}]" for k in along), whole
     for name, value in inputs:

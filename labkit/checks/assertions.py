@@ -173,7 +173,9 @@ def require_shape(compared, rows):
     __tracebackhide__ = True
     got, expected, *_ = compared
     if got.shape != expected.shape:
-        raise Mismatch(*rows, ("differs", f"in shape: {shape_name(got)} came, "
+        of_rows = got.ndim == expected.ndim and got.shape[1:] == expected.shape[1:]
+        raise Mismatch(*rows, ("differs", f"in {'length' if of_rows else 'shape'}: "
+                                          f"{shape_name(got)} came, "
                                           f"{shape_name(expected)} was expected"),
                        compared=compared)
 

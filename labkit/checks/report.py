@@ -22,6 +22,7 @@ from .loader import CALLS, LAST_CALL, LAST_RETURN, WARNED, folder
 from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
 
 NO_NAME = r"-?\d|each\b|all\b|a number"  # of what stands between the names of outputs
+OTHER_FORM = "in shape", "in kind", "a tuple"  # so begins how an answer differs
 INVALID = "an invalid value (0 / 0, inf * 0 or inf - inf)"
 
 
@@ -185,24 +186,16 @@ def is_misshaped(error):
     return compared is not None and compared.got.shape != compared.expected.shape
 
 
-def has_other_rows(error):
-    """Are these rows as expected, but others, or more or less of them?"""
-    got, expected = error.compared[:2] if error.compared else (np.zeros(()), np.zeros(1))
-    return got.ndim == expected.ndim and got.shape[1:] == expected.shape[1:]
-
-
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else "", as after a crash,
-    where an axis or the kind is wrong, or NaN came and they do not speak of it.
+    where shape or kind are wrong, or NaN came and they do not speak of it.
     """
     differs = dict(rows).get("differs", "")
-    is_of_other_form = differs.startswith(("in ", "a tuple")) and not has_other_rows(error)
-    if not isinstance(error, AssertionError) or is_of_other_form or (
+    if not isinstance(error, AssertionError) or differs.startswith(OTHER_FORM) or (
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     text = " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
-    has_nan = NAN in differs
-    return "" if has_nan and "nan" not in text.lower() else text
+    return "" if NAN in differs and "nan" not in text.lower() else text
 
 
 def output_row(compared, returned):

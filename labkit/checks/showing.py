@@ -25,6 +25,7 @@ IN_WORDS = {  # a part of an error's text: what it means, and what helps
                                      "a sum or a mean the wrong axis, or none?",
     "truth value of an array": "if, and, or, not take one truth value, and here are many. For "
                                "arrays write &, |, ~, each comparison in brackets, or np.where.",
+    "SystemExit": "exit() and quit() end the whole program: return ends a function",
     "bitwise_": "& and | come before < and ==: put each comparison in brackets"}
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
@@ -151,7 +152,7 @@ def shapes_there(trace, last):
 
 def fitting(error):
     """Yield a line in plain words, where the shapes in an error tell why arrays do not fit."""
-    text = str(error)
+    text = f"{type(error).__name__}: {error}"
     shapes = sorted((tuple(map(int, re.findall(r"\d+", shape)))
                      for shape in re.findall(r"\([\d,]+\)", text)), key=len)
     if "gufunc signature" in text or "not aligned" in text:

@@ -337,7 +337,7 @@ def test_watching_checks_again_when_a_file_is_saved(house):
         process.send_signal(signal.SIGINT)
         rest = process.communicate(timeout=60)[0]
     assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
-    assert "0 of 1 claims hold" in boards[1]
+    assert "0 of 1 claim holds" in boards[1]
     assert "labs/transforms.py, line 7: this is not Python" in boards[2]
     assert rest == "" and process.returncode == 130
 
