@@ -241,11 +241,6 @@ def name(nodeid):
     return nodeid.split("::", 1)[-1]
 
 
-def short(nodeid):
-    """tests/labs/test_x.py::test_y -> test_x.py::test_y."""
-    return nodeid.rpartition("/")[2]
-
-
 def fingerprint_and_count(nodeid, returned, compared=None):
     """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was, or too much.
 
@@ -298,7 +293,7 @@ def outputs(returned):
 
 def fingerprint(nodeid, returned):
     """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
-    parts = [short(nodeid)]
+    parts = [nodeid.rpartition("/")[2]]
     several = isinstance(returned, tuple) or as_array(returned).dtype == object
     for output in returned if several and np.iterable(returned) else (returned,):
         array = as_array(output)

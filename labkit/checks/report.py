@@ -161,7 +161,7 @@ def explained(error, item):
     if last and isinstance(returned, tuple):
         rows = [(label, text + named(last[0], text, returned) if label == "output" else text)
                 for label, text in rows]
-    if is_misshaped(error):
+    if dict(rows).get("differs", "").startswith(("in shape", "in length")):
         words = showing.axes_in_words(*error.compared[:2], arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
     return [*rows, *warned(error, item), ("check", check_line(error, item))]
@@ -178,12 +178,6 @@ def warned(error, item):
             yield "warning", (f"NumPy met {kind}, first at {where}\n    "
                               f"{showing.quoted(frame.line)}\nno mistake if the result is not used")
             return
-
-
-def is_misshaped(error):
-    """Has what was compared another shape than what was expected?"""
-    compared = getattr(error, "compared", None)
-    return compared is not None and compared.got.shape != compared.expected.shape
 
 
 def caught(item, error, rows):

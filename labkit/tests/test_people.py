@@ -102,5 +102,5 @@ def test_a_name_that_fits_nobody_is_told(read):
         "nothing was handed in by nalvares", "nothing was handed in by 9000",
         "nothing was handed in by blu"]
     wei = [submission(f"wei_{number}", "canvas", id=str(number), name="Wei") for number in (1, 2)]
-    assert next(people.said(wei, read("Wei,,2026-11-23T00:00"))).endswith(
+    assert people.said(wei, read("Wei,,2026-11-23T00:00"))[0].endswith(
         "line 2: 2 are called so, and the line counts for none: wei_1, wei_2")

@@ -108,7 +108,7 @@ class Gradebook:
             if most not in (None, self.of):
                 lines.append(f"{title!r} is out of {sheets.number_text(most)} there, and "
                              f"out of {self.of} here: make it {self.of} there before you import")
-        return lines + self.said_of_times() + [*people.said(self.handed_in.values(), self.persons)]
+        return lines + self.said_of_times() + people.said(self.handed_in.values(), self.persons)
 
     def said_of_times(self):
         unread = {one.student: text for one in self.handed_in.values()

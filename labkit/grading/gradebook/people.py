@@ -88,10 +88,8 @@ def due_times(handed_in, people) -> dict[str, float]:
 def said(handed_in, people):
     """Sentences on lines that fit nobody: they have not handed in, or are misspelt."""
     known, alone = called(handed_in), {one.student for one in handed_in if not one.group}
-    for person in people:
-        students = known.get(person.name, ())
-        if len(students) > 1:
-            yield (f"{person.where}: {len(students)} are called so, and the line counts for none: "
-                   f"{', '.join(students)}")
-        elif not students or (person.group and students[0] in alone):
-            yield f"{person.where}: nothing was handed in by {person.group or person.name}"
+    return [f"{person.where}: " + (
+        f"{len(students)} are called so, and the line counts for none: {', '.join(students)}"
+        if len(students) > 1 else f"nothing was handed in by {person.group or person.name}")
+        for person in people if len(students := known.get(person.name, ())) != 1
+        or (person.group and students[0] in alone)]
