@@ -19,6 +19,8 @@ MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
 MOST_QUOTED = 200  # characters shown of a line of code: one can be as long as a file
 AN_AXIS = "keepdims=True keeps an axis of length 1, and None in an index adds one"
+LAST_AXIS = (".T turns all of them round, and np.stack(parts, -1) joins parts along a new last "
+             "axis")
 IN_WORDS = {  # a part of an error's text: what it means, and what helps
     "must have same number of dimensions": f"what is joined needs equally many axes: {AN_AXIS}",
     "concatenation axis must match": "what is joined has one shape but along the joined axis. Has "
@@ -192,11 +194,9 @@ def axes_in_words(got, right, inputs=()):
     if () in (came, expected):
         return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
     if sorted(came) == sorted(expected):
-        return (f"the axes stand in another order: {came} for {expected}. .T turns all of them "
-                "round, and np.stack(parts, -1) joins parts along a new last axis")
+        return f"the axes stand in another order: {came} for {expected}. {LAST_AXIS}"
     if axis := the_axis(expected, came):
-        return (f"axis {axis[0]} is lost: a sum, a mean or an index took it away; keepdims=True "
-                "keeps one of length 1, and None in an index adds one")
+        return f"axis {axis[0]} is lost: a sum, a mean or an index took it away; {AN_AXIS}"
     if len(expected) == 1 and came == 2 * expected:
         return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as "
                 "one of two arrays has an axis too many")
@@ -207,8 +207,7 @@ def axes_in_words(got, right, inputs=()):
         wrong, lost = the_axis(shape, came), the_axis(shape, expected)
         if wrong and lost:
             return (f"without axis {wrong[0]}, {name} {shape} becomes {came}, and without axis "
-                    f"{lost[0]} {expected}: is a sum or an index along the wrong axis? x[0] is "
-                    "of the first axis, x[..., 0] of the last")
+                    f"{lost[0]} {expected}: a sum over the wrong axis, or x[0] for x[..., 0]?")
 
 
 def the_axis(long, short):
