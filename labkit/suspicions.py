@@ -47,7 +47,7 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
         if mistaken.shape == got.shape and np.all(agrees(got, mistaken)):
             several = speaking >= 2 or got.shape != expected.shape
             return Suspicion(sentence, speaking >= ENOUGH) if several else None
-    if got.shape != expected.shape or not is_numeric(got, expected):
+    if got.shape != expected.shape or got.dtype.kind not in "biufc":
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     found = [*whole_numbers(got, expected),
@@ -55,8 +55,8 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
             *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
-            *in_a_part(got, expected, wrong, agrees, inputs),
-            *by_index(wrong, inputs, np.isfinite(got).all())]
+            *in_a_part(got, expected, wrong, agrees, inputs)] if is_numeric(got, expected) else []
+    found += by_index(wrong, inputs, np.isfinite(got).all())
     sure = found and not found[0].endswith(("?", ANYWHERE)) and speaking >= ENOUGH
     return Suspicion(found[0], sure) if found else None
 
@@ -118,15 +118,10 @@ def in_another_order(expected, along_axes):
         for axes in itertools.combinations(range(expected.ndim), 2):
             yield f"axes {axes[0]} and {axes[1]} are swapped", expected.swapaxes(*axes)
     for axis in range(expected.ndim if along_axes else 0):
-        if expected.shape[axis] == 3:
-            for pair, order in ("0 and 1", (1, 0, 2)), ("1 and 2", (0, 2, 1)):
-                yield f"{pair} are exchanged along axis {axis}", np.take(expected, order, axis)
-            for step in 1, -1:
-                yield (f"the order along axis {axis} is moved on by one",
-                       np.roll(expected, step, axis))
-        if expected.shape[axis] == 2:
-            yield f"0 and 1 are exchanged along axis {axis}", np.flip(expected, axis)
         yield f"the order along axis {axis} is reversed", np.flip(expected, axis)
+        whole = range(expected.shape[axis])
+        for order in itertools.permutations(whole) if len(whole) <= 4 else ():
+            yield f"the order along axis {axis} is {list(order)}", np.take(expected, order, axis)
 
 
 def in_another_shape(got, expected):
@@ -267,7 +262,7 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place, whole = next(places(wrong, inputs), (ANYWHERE, None))
+    place, whole = next(places(wrong, wrong | (expected == 0), inputs), (ANYWHERE, None))
     several = whole is not None or len(set(np.abs(right))) > 1  # else any number is a multiple
     if whole is not None and np.ptp(got[whole]) == 0 and (
             np.ptp(expected[whole]) or not got[whole].any()):
@@ -280,18 +275,19 @@ def in_a_part(got, expected, wrong, agrees, inputs):
             yield f"it is {factor:.6g} times what was expected{place}{named(factor, inputs)}"
 
 
-def places(wrong, inputs):
-    """Yield (" in [..., 1]", all of it): a place along a short axis where all is that is wrong.
+def places(wrong, wrong_or_zero, inputs):
+    """Yield (" in [..., 1]", all of it): the places along a short axis where all is that is wrong.
+    Several are wrong all over, but for zeros.
 
     Then (" where w < 0", all of it): the sign of an input, if it is wrong just there.
     """
     for axis in reversed(range(wrong.ndim)):
         others = tuple(k for k in range(wrong.ndim) if k != axis)
         along = np.flatnonzero(wrong.any(others))
-        if len(along) == 1 < wrong.shape[axis] <= 4:
-            after = [":"] * (wrong.ndim - 1 - axis)
-            whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
-            yield f" in [{', '.join(['...', str(along[0]), *after])}]", whole
+        whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
+        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or wrong_or_zero[whole].all()):
+            after = ", :" * (wrong.ndim - 1 - axis)
+            yield " in " + " and ".join(f"[..., {k}{after}]" for k in along), whole
     for name, value in inputs:
         for title, column in columns(name, as_array(value)):
             rows = wrong.reshape(*wrong.shape[:column.ndim], -1).any(-1)
@@ -313,8 +309,8 @@ def by_index(wrong, inputs, finite):
         if none.any() and not none.all() and wrong.shape[:index.ndim] == index.shape:
             at = wrong.reshape(*index.shape, -1).any(-1)
             if at.any() and not (at & ~none).any():
-                yield (f"it is wrong only where {name} is -1, which means none: "
-                       "NumPy takes -1 for the last")
+                yield (f"it is wrong only where {name} is -1, which means none; "
+                       "as an index, -1 takes the last")
         if wrong.ndim and 0 <= index.max() < len(wrong):
             rows = wrong.reshape(len(wrong), -1).any(-1)
             times = np.bincount(index[index >= 0], minlength=len(wrong))

@@ -73,7 +73,7 @@ class Entry(NamedTuple):
         hold, of = self.claims
         told = f"{reached:g} of {plural(self.points, 'point')}: " if self.points else ""
         known = ", but none on random numbers" * (hold > 0 and self.only_known_numbers)
-        return f"{told}{hold} of {of} claims hold{known}"
+        return f"{told}{hold} of {plural(of, 'claim')} hold{'s' * (of == 1)}{known}"
 
 
 class Found(NamedTuple):

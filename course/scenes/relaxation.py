@@ -29,7 +29,7 @@ def without_noise(lab13, rough, faces, step):
 
 def relaxation(labs, out="relaxation", shape=None):
     """The thin triangles of the teapot, or FILE, made rounder, the surface kept (lab 13)."""
-    vertices, faces = shape or split_teapot()
+    vertices, faces = shape or split_in_four(*mesh.merge(*mesh.teapot()))
     size = np.linalg.norm(np.ptp(vertices, axis=0))
     yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
     moved, flipped = labs.remeshing.relax(vertices, faces, 0.004 * size)
@@ -38,11 +38,6 @@ def relaxation(labs, out="relaxation", shape=None):
         angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
         yield (f"{name}: mean least angle {angle:.1f} degrees",
                save(out, name, drawn(labs, shape, triangles)))
-
-
-def split_teapot():
-    """The teapot without seams, each face split in four -> vertices, faces."""
-    return split_in_four(*mesh.merge(*mesh.teapot()))
 
 
 def split_in_four(vertices, faces):

@@ -46,8 +46,8 @@ def blended(labs, clip, faces, shades, size):
 def cut(labs):
     """A ball that the near plane cuts and the far plane closes: one sees into it (lab 2)."""
     vertices, faces = mesh.icosphere(1280)
-    clip = np.column_stack([vertices, np.ones(len(vertices))]) @ camera(labs).T
-    face_index, depth = labs.rasterization.rasterize(clip, faces, 128, 128)
+    clip = np.column_stack([vertices, np.ones(len(vertices))]) @ camera(labs, aspect=1.25).T
+    face_index, depth = labs.rasterization.rasterize(clip, faces, 160, 128)
     yield ("inside of the hole one sees the back of the ball",
            save("cut", "face_index", enlarged(plot.face_colours(face_index), 4)))
     yield ("depth", save("cut", "depth", enlarged(plot.depth_colours(depth), 4)),
@@ -70,6 +70,6 @@ def squares():
     return corners, np.concatenate([[[0, 1, 2], [0, 2, 3]]] * 3) + np.repeat([0, 4, 8], 2)[:, None]
 
 
-def camera(labs):
+def camera(labs, aspect=1.0):
     """clip_from_world (4, 4) of a camera whose near plane cuts the unit ball."""
-    return clip_from_world(labs, BUNNY_EYE, near=1.85)
+    return clip_from_world(labs, BUNNY_EYE, near=1.85, aspect=aspect)

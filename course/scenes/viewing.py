@@ -11,10 +11,10 @@ def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     return labs.transforms.transform(points, clip_from_world(labs, eye, target, near))
 
 
-def clip_from_world(labs, eye, target=(0.0, 0.0, 0.0), near=0.1, fov_y=48):
+def clip_from_world(labs, eye, target=(0.0, 0.0, 0.0), near=0.1, fov_y=48, aspect=1.0):
     """The matrix (4, 4) of a camera at eye that looks at target. fov_y is in degrees."""
     view_from_world = labs.transforms.look_at(np.asarray(eye), np.asarray(target), UP)
-    return labs.transforms.perspective(np.radians(fov_y), 1.0, near, 10.0) @ view_from_world
+    return labs.transforms.perspective(np.radians(fov_y), aspect, near, 10.0) @ view_from_world
 
 
 def cameras_around(labs, count, longitude=0.0):

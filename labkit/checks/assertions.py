@@ -123,10 +123,10 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     if is_nothing(got, expected):
         return
     rows = [*rows, ("expected", shown(expected)), ("got", shown(got))]
-    require_kind(got, expected, rows, kinds)
-    got, expected = as_array(got), np.asarray(expected)
-    compared = Compared(got, expected, agrees, picture)
+    compared = Compared(as_array(got), np.asarray(expected), agrees, picture)
+    require_kind(got, compared, rows, kinds)
     require_shape(compared, rows)
+    got, expected, *_ = compared
     wrong = ~np.asarray(agrees(got, expected))
     if not wrong.any():
         return
@@ -153,16 +153,19 @@ def is_nothing(got, expected):
     return np.size(expected) == 0 and as_array(got).shape == (0,)
 
 
-def require_kind(got, expected, rows, kinds):
+def require_kind(got, compared, rows, kinds):
     """Mismatch unless got is of a kind that may come where expected's kind is expected. Of numbers
     in another shape, the shape is told.
     """
     __tracebackhide__ = True
-    array, known = as_array(got), np.asarray(expected)
-    is_misshaped = array.dtype.kind in "biufc" and array.shape != known.shape
-    if array.dtype.kind not in kinds[known.dtype.kind] and not is_misshaped:
+    array, expected, agrees, _ = compared
+    are_numbers = array.dtype.kind in "biufc"
+    if array.dtype.kind not in kinds[expected.dtype.kind] and not (
+            are_numbers and array.shape != expected.shape):
+        right = "; the numbers are right" * (are_numbers and bool(np.all(agrees(array, expected))))
         raise Mismatch(*rows, ("differs", f"in kind: {kind_name(got)} came, "
-                                          f"{kind_name(expected)} were expected"))
+                                          f"{kind_name(expected)} were expected{right}"),
+                       compared=compared if are_numbers and not right else None)
 
 
 def require_shape(compared, rows):
@@ -170,7 +173,9 @@ def require_shape(compared, rows):
     __tracebackhide__ = True
     got, expected, *_ = compared
     if got.shape != expected.shape:
-        raise Mismatch(*rows, ("differs", f"in shape: {shape_name(got)} came, "
+        of_rows = got.ndim == expected.ndim and got.shape[1:] == expected.shape[1:]
+        raise Mismatch(*rows, ("differs", f"in {'length' if of_rows else 'shape'}: "
+                                          f"{shape_name(got)} came, "
                                           f"{shape_name(expected)} was expected"),
                        compared=compared)
 

@@ -28,7 +28,7 @@ MOST = 1 << 18          # numbers that a fingerprint is taken of
 MOST_MADE = 1 << 20     # numbers and lists, of which each row is one, that it makes of an answer
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 WHY = r"[,;:] (?![^\[]*\]).*$"  # of a suspicion: a comma in [..., 1] ends nothing
-PLACE = r"( in \[[^\]]*\]| in all that is wrong| where [^,;:]*)"
+PLACE = r"( in (?:\[[^\]]*\](?: and )?)+| in all that is wrong| where [^,;:]*)"
 
 
 def suspected(compared, call, returned):
@@ -241,11 +241,6 @@ def name(nodeid):
     return nodeid.split("::", 1)[-1]
 
 
-def short(nodeid):
-    """tests/labs/test_x.py::test_y -> test_x.py::test_y."""
-    return nodeid.rpartition("/")[2]
-
-
 def fingerprint_and_count(nodeid, returned, compared=None):
     """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was, or too much.
 
@@ -298,7 +293,7 @@ def outputs(returned):
 
 def fingerprint(nodeid, returned):
     """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
-    parts = [short(nodeid)]
+    parts = [nodeid.rpartition("/")[2]]
     several = isinstance(returned, tuple) or as_array(returned).dtype == object
     for output in returned if several and np.iterable(returned) else (returned,):
         array = as_array(output)

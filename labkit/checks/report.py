@@ -22,6 +22,7 @@ from .loader import CALLS, LAST_CALL, LAST_RETURN, WARNED, folder
 from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
 
 NO_NAME = r"-?\d|each\b|all\b|a number"  # of what stands between the names of outputs
+OTHER_FORM = "in shape", "in kind", "a tuple"  # so begins how an answer differs
 INVALID = "an invalid value (0 / 0, inf * 0 or inf - inf)"
 
 
@@ -160,7 +161,7 @@ def explained(error, item):
     if last and isinstance(returned, tuple):
         rows = [(label, text + named(last[0], text, returned) if label == "output" else text)
                 for label, text in rows]
-    if is_misshaped(error):
+    if dict(rows).get("differs", "").startswith(("in shape", "in length")):
         words = showing.axes_in_words(*error.compared[:2], arguments(*last) if last else ())
         rows += [("shape", words)] if words else []
     return [*rows, *warned(error, item), ("check", check_line(error, item))]
@@ -179,22 +180,16 @@ def warned(error, item):
             return
 
 
-def is_misshaped(error):
-    """Has what was compared another shape than what was expected?"""
-    compared = getattr(error, "compared", None)
-    return compared is not None and compared.got.shape != compared.expected.shape
-
-
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else "", as after a crash,
-    where the shape is wrong, or NaN came and they do not speak of it.
+    where shape or kind are wrong, or NaN came and they do not speak of it.
     """
-    if not isinstance(error, AssertionError) or is_misshaped(error) or (
+    differs = dict(rows).get("differs", "")
+    if not isinstance(error, AssertionError) or differs.startswith(OTHER_FORM) or (
             isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     text = " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
-    has_nan = isinstance(error, Mismatch) and NAN in dict(rows).get("differs", "")
-    return "" if has_nan and "nan" not in text.lower() else text
+    return "" if NAN in differs and "nan" not in text.lower() else text
 
 
 def output_row(compared, returned):
@@ -233,7 +228,8 @@ def said(error, item):
         expected = re.search(r"expected (\d+)", str(error))
         parts = f"of {expected[1]}" if expected else "of several outputs"
         return f"{name} returned {came}; a tuple {parts} is expected"
-    return f"what {name} returned does not fit: {text}"
+    order = ": are its axes those of the question, and in that order?" * hasattr(returned, "shape")
+    return f"what {name} returned does not fit{order}\n{text}"
 
 
 def saved(call):

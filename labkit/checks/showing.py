@@ -19,6 +19,16 @@ MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
 MOST_QUOTED = 200  # characters shown of a line of code: one can be as long as a file
 AN_AXIS = "keepdims=True keeps an axis of length 1, and None in an index adds one"
+LAST_AXIS = (".T turns all of them round, and np.stack(parts, -1) joins parts along a new last "
+             "axis")
+IN_WORDS = {  # a part of an error's text: what it means, and what helps
+    "must have same number of dimensions": f"what is joined needs equally many axes: {AN_AXIS}",
+    "concatenation axis must match": "what is joined has one shape but along the joined axis. Has "
+                                     "a sum or a mean the wrong axis, or none?",
+    "truth value of an array": "if, and, or, not take one truth value, and here are many. For "
+                               "arrays write &, |, ~, each comparison in brackets, or np.where.",
+    "SystemExit": "exit() and quit() end the whole program: return ends a function",
+    "bitwise_": "& and | come before < and ==: put each comparison in brackets"}
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
 
@@ -144,7 +154,7 @@ def shapes_there(trace, last):
 
 def fitting(error):
     """Yield a line in plain words, where the shapes in an error tell why arrays do not fit."""
-    text = str(error)
+    text = f"{type(error).__name__}: {error}"
     shapes = sorted((tuple(map(int, re.findall(r"\d+", shape)))
                      for shape in re.findall(r"\([\d,]+\)", text)), key=len)
     if "gufunc signature" in text or "not aligned" in text:
@@ -152,13 +162,12 @@ def fitting(error):
         yield ("    A @ B sums over the last axis of A and the last but one of B, a vector's only "
                f"one. They differ: {sizes} numbers. Is one to be transposed (.T, or swapaxes(-1, "
                "-2) for a stack), or the order wrong? For rows' dot products, (a * b).sum(-1).")
-    elif "must have same number of dimensions" in text:
-        yield f"    what is joined needs equally many axes: {AN_AXIS}"
-    elif "concatenation axis must match" in text:
-        yield ("    what is joined has one shape but along the joined axis. Has a sum or a mean "
-               "the wrong axis, or none?")
+    elif "indexing result" in text and len(shapes[0]) < len(shapes[1]):
+        yield ("    x[index] takes rows of x, along its first axis alone: is x to be reshaped "
+               "before, so that index numbers its rows?")
     elif "broadcast" in text and len(shapes) == 2:
         yield f"    {unfit(*shapes)}"
+    yield from (f"    {words}" for part, words in IN_WORDS.items() if part in text)
 
 
 def unfit(short, long):
@@ -185,10 +194,9 @@ def axes_in_words(got, right, inputs=()):
     if () in (came, expected):
         return f"one number {'is expected' if came else 'came'}: which axes are to be summed?"
     if sorted(came) == sorted(expected):
-        return f"the axes stand in another order: {came} for {expected}; .T exchanges two"
+        return f"the axes stand in another order: {came} for {expected}. {LAST_AXIS}"
     if axis := the_axis(expected, came):
-        return (f"axis {axis[0]} is lost: a sum, a mean or an index took it away; keepdims=True "
-                "keeps one of length 1, and None in an index adds one")
+        return f"axis {axis[0]} is lost: a sum, a mean or an index took it away; {AN_AXIS}"
     if len(expected) == 1 and came == 2 * expected:
         return (f"{expected} with {(*expected, 1)} gives {came}: each number met all others, as "
                 "one of two arrays has an axis too many")
@@ -199,7 +207,7 @@ def axes_in_words(got, right, inputs=()):
         wrong, lost = the_axis(shape, came), the_axis(shape, expected)
         if wrong and lost:
             return (f"without axis {wrong[0]}, {name} {shape} becomes {came}, and without axis "
-                    f"{lost[0]} {expected}: is the sum over the wrong axis?")
+                    f"{lost[0]} {expected}: a sum over the wrong axis, or x[0] for x[..., 0]?")
 
 
 def the_axis(long, short):

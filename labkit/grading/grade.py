@@ -98,7 +98,7 @@ def grade_all(request, topics, todo, before, results):
     failed = {name: problem for name in students
               if (problem := results.records[name].result.problem)}
     graded = len({one.student for one, _ in todo})
-    print(f"{graded} submissions graded in {time.monotonic() - started:.1f} s, "
+    print(f"submissions: {graded} graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - graded} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
     print(*results.said_of_checks(), *(f"{name}: {problem}" for name, problem in failed.items()),

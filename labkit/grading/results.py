@@ -132,7 +132,7 @@ class Results:
 
     def changed(self):
         """Sentences on those who have other points in the end than before."""
-        return [f"{student}: {now or 'no'} points, {before or 'none'} before: {why}"
+        return [f"{student}: points {now or 'none'}, before {before or 'none'}: {why}"
                 for student, what, before, now, why in self.changes() if what == worth.LEFT]
 
     def close(self) -> list:

@@ -56,7 +56,7 @@ def test_all_that_is_in_the_tables_is_graded_again(run, tmp_path):
     assert "graded by other checks than today's: ada, bob, eve; python3 -m course grade --out" in (
         run("mended", zoe="right"))
     done = run("mended")
-    assert "3 submissions graded" in done and "1 were done before" in done
+    assert "submissions: 3 graded" in done and "1 were done before" in done
     assert "other checks than today's" not in done
     rows = grades(out)
     assert {name: row["total"] for name, row in rows.items()} == {

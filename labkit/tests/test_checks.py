@@ -62,7 +62,7 @@ def test_close_accepts(got, expected):
     (np.zeros((0, 2)), np.zeros((0, 3)), "in shape: (0, 2) came, (0, 3) was expected"),
     ([], np.ones((1, 3)), "in shape: (0,) came, (1, 3) was expected"),
     (np.ones(3) + 1j, np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
-    (1 + 0j, 1.0, "in kind: complex numbers came, floats were expected"),
+    (1 + 0j, 1.0, "in kind: complex numbers came, floats were expected; the numbers are right"),
     (True, 1.0, "in kind: booleans came, floats were expected"),
     ("1.0", 1.0, "in kind: strings came, floats were expected"),
     (None, 1.0, "in kind: a NoneType that is no array of numbers came, floats were expected"),
@@ -176,10 +176,8 @@ def test_any_raster_can_be_drawn(pictures, shape, kind):
 
 def test_a_raster_of_another_shape_or_kind_is_not_drawn(pictures):
     """The report itself crashes."""
-    assert "in shape" in text_of(assert_picture, np.zeros((2, 3)), np.zeros((3, 3)))
-    assert "in shape" in text_of(assert_picture, np.zeros(3), np.zeros((3, 3)))
+    assert "in length: (2, 3)" in text_of(assert_picture, np.zeros((2, 3)), np.zeros((3, 3)))
     assert "in kind" in text_of(assert_picture, np.zeros((3, 3)), np.zeros((3, 3), int))
-    assert "in kind" in text_of(assert_picture, None, np.zeros((3, 3)))
     assert not pictures.exists()
 
 
@@ -466,7 +464,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
     ("an_earlier_call", "given     shifted(x=1.0, by=2.0)\nexpected"),
     ("shifted_gives_two", "wrong     shifted returned one array or number; a tuple of several"),
     ("shifted_can_be_multiplied",
-     "wrong     what shifted returned does not fit: ValueError: matmul"),
+     "wrong     what shifted returned does not fit: are its axes"),
     ("strict_is_not_strict",
      "wrong     AssertionError: too small\n          labs/transforms.py:43 in strict\n"),
     ("strict_tells_all", "perhaps   It does not.\nwrong     it was given 1\n"),
@@ -543,13 +541,16 @@ def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
     ("np.concatenate([np.ones((2, 3)), np.ones(2)], -1)", "equally many axes: keepdims=True"),
     ("np.concatenate([np.ones((2, 3)), np.ones((1, 1))], -1)", "a mean the wrong axis, or none?"),
     ("rows = np.ones((6, 2)); i = np.arange(3); rows[i] * np.ones(3)", "rows[i] (3, 2)"),
+    ("np.ones((5, 4, 3))[[0, 1]] = np.ones((2, 3))", "is x to be reshaped before, so that index"),
+    ("1 if np.ones(2) > 0 else 0", "For arrays write &, |, ~, each comparison in brackets"),
+    ("np.ones(2) > 0 | np.ones(2) > 0", "& and | come before < and =="),
     ("compile('\\0', 'a', 'exec')", None)])
 def test_an_axis_that_makes_two_arrays_fit_is_told(line, fits, tmp_path):
     """A missing keepdims is the commonest mistake of all, and the report has only its shapes; it
     tells of an axis that does not help; or an error without a place ends the report.
     """
     (tmp_path / "transforms.py").write_text(line)
-    with pytest.raises((ValueError, SyntaxError)) as error:
+    with pytest.raises((ValueError, TypeError, SyntaxError)) as error:
         exec(compile(line, tmp_path / "transforms.py", "exec"), {"np": np})
     said = error_text(error.value, tmp_path)
     assert "transforms.py:1 in" in said and (fits or "\n") in said

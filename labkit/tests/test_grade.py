@@ -93,7 +93,7 @@ def test_the_level_is_stated_wherever_marks_are(graded):
 def test_a_student_reads_which_claim_failed_and_how_to_run_it(graded):
     """A report without the reason, or of a check that passed."""
     text = (graded[0] / "students" / "eve" / "report.html").read_text("utf-8")
-    assert "3 of 10 points" in text and "0 of 4 points: 0 of 1 claims hold" in text
+    assert "3 of 10 points" in text and "0 of 4 points: 0 of 1 claim holds" in text
     assert "Half and sign" in text and "no answer within 4 s" in text
     assert "python3 -m course check 1.3" in text and "Twice" not in text
 
@@ -142,8 +142,8 @@ def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, ru
     before = {path: path.stat().st_mtime_ns for path in out.glob("students/*/record.json")}
     put(handed_in, {"bob/transforms.py": LAB})
     printed = run_grade(run_module, course, out.parent, "--resume")
-    assert "1 submissions graded" in printed
-    assert "bob: 10 points, 9 before: handed in again" in printed
+    assert "submissions: 1 graded" in printed
+    assert "bob: points 10, before 9: handed in again" in printed
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
     assert changed == {"bob"} and grades(out)["bob"]["total"] == "10"
 
@@ -159,7 +159,7 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
     shutil.copytree(graded[0], tmp_path / "out")
     hand_in(tmp_path, zoe=LAB)
     printed = run_grade(run_module, course, tmp_path)
-    assert "1 submissions graded" in printed and "5 more of earlier runs stay" in printed
+    assert "submissions: 1 graded" in printed and "5 more of earlier runs stay" in printed
     before, after = grades(graded[0]), grades(tmp_path / "out")
     assert after.pop("zoe")["total"] == "7" and after == before
     assert "students/bob/report.html" in (tmp_path / "out" / "index.html").read_text("utf-8")

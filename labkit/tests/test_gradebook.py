@@ -244,7 +244,7 @@ def test_all_without_a_partner_are_told():
     class_ = [submission("a", "canvas", id="50101"), submission("x", "canvas", id="9")]
     known = book(class_, **CANVAS)
     said = "\n".join(known.said())
-    assert "1 of 2 submissions are matched" in said
+    assert ": 1 of 2; their points go" in said
     assert "not matched: x: nobody in the roster with the id 9" in said
     assert "in the roster without a submission (5): Kraus, Jürgen; Li, Wei; Li, Wei" in said
 
@@ -261,7 +261,7 @@ def test_another_maximum_there_is_told(platform):
     """10 of 13 points are imported as 10 of 10."""
     known = Gradebook(Request("in", "out", csv=platform, roster=ROSTERS / f"{platform}.csv",
                               assignment=CLASSES[platform][0]), [], EXERCISES)
-    assert "is out of 10 points there, and out of 13 here" in known.said()[-1]
+    assert "is out of 10 there, and out of 13 here" in known.said()[-1]
 
 
 # --- by hand ----------------------------------------------------------------------------------
@@ -297,7 +297,7 @@ def test_points_by_hand_show_with_their_reason(tmp_path):
                                 "late: 0 taken off by hand (was ill)")
     page = report.page(ada, {}, "")
     assert "9.5 of 10 points" in page and "2.2: 5.5 instead of 0 by hand" in page
-    assert "&lt;b&gt;figure" in page and "handed in late by 2:00:00: 0 points are taken" in page
+    assert "&lt;b&gt;figure" in page and "handed in late by 2:00:00: 0 is taken off" in page
 
 
 def test_a_total_by_hand_comes_before_lateness():

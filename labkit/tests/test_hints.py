@@ -34,18 +34,19 @@ def told(assertion, got, expected, *inputs):
 
 @pytest.mark.parametrize(("got", "expected", "hint"), [
     (-CORNER, CORNER, "the sign is flipped"),
+    (-CORNER[0], CORNER[0], "it may be that the sign is flipped"),  # of three, as by chance
     (CORNER.T, CORNER, "it is the transpose, (3, 2) instead of (2, 3)"),
     (CORNER.sum(), CORNER, "it is summed over all axes"),
     (CORNER.sum(1), CORNER, "it is summed over axis 1, too"),
-    (CORNER[::-1], CORNER, "0 and 1 are exchanged along axis 0"),
+    (CORNER[::-1], CORNER, "the order along axis 0 is reversed"),
     (FOUR[::-1] * [[1], [2], [1], [1]], FOUR * [[1], [1], [2], [1]],
      "the order along axis 0 is reversed"),
     (np.int64(CORNER / 4), CORNER / 4, "these are integers, and fractions were"),
     (np.complex64((CORNER + 1j) / 3), (CORNER + 1j) / 3, "float32 is not precise"),
     (CORNER + 1j, CORNER - 1j, "the complex conjugate came"),
     (CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
-    (CORNER[:, [1, 0, 2]], CORNER, "0 and 1 are exchanged along axis 1"),
-    (CORNER[:, [1, 2, 0]], CORNER, "the order along axis 1 is moved on by one"),
+    (CORNER[:, [1, 0, 2]], CORNER, "the order along axis 1 is [1, 0, 2]"),
+    (CORNER[:, [1, 2, 0]], CORNER, "the order along axis 1 is [1, 2, 0]"),
     (CORNER.reshape(1, 6), CORNER, "the numbers are right, the shape is not"),
     (np.stack([CORNER, 2 * CORNER]), 3 * CORNER, "the sum over axis 0 is missing"),
     (CORNER * 2, CORNER, "everything is 2 times what was expected, twice as much"),
@@ -67,8 +68,10 @@ def told(assertion, got, expected, *inputs):
      "the numbers along the last axis are not scaled until they have length 1"),
     (np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
     (np.float16(CORNER / 3), CORNER / 3, "float16 is not precise enough"),
+    (CORNER * [1, 1, 1.001], CORNER, "it may be that it is 1.001 times"),  # as float32 holds, too
     (CORNER + 1e-8 * CORNER ** 2, CORNER, "it is right to seven digits or so"),
     (CORNER * [1, -1, 1], CORNER, "it may be that the sign is flipped in [..., 1]"),
+    (SIX * [-1, 1, -1], SIX, "the sign is flipped in [..., 0] and [..., 2]"),
     (SIX * [1, 1, 0], SIX, "it is 0 everywhere in [..., 2]"),
     (SIX < 3, SIX >= 3, "true and false are swapped"),
     (CORNER * [[1, 2, 1], [1, 1, 2]], CORNER,
@@ -85,14 +88,6 @@ def test_a_common_mistake_is_named(got, expected, hint):
     """The hint names another mistake, or the opposite direction."""
     assertion = {"i": assert_picture, "b": assert_equal}.get(expected.dtype.kind, assert_close)
     assert told(assertion, got, expected).startswith(hint)
-
-
-@pytest.mark.parametrize("order", [(0, 2, 1), (1, 0, 2), (2, 1, 0), (1, 2, 0), (2, 0, 1)], ids=str)
-@pytest.mark.parametrize("axis", [0, 1])
-def test_any_order_of_three_corners_is_seen(order, axis):
-    """Exchanged corners are named for neighbours alone."""
-    expected = np.arange(1.0, 13).reshape((3, 4) if axis == 0 else (4, 3))
-    assert "along axis" in told(assert_close, np.take(expected, order, axis), expected)
 
 
 def test_a_factor_is_named_by_the_input_that_it_is_made_of():
@@ -117,6 +112,8 @@ def test_what_indices_tell_is_told():
     shaded = np.where(index < 0, 0.0, 0.5 + index)
     assert "only where face_index is -1" in told(
         assert_picture, np.array([0.5, 1.5, 2.5])[index], shaded, ("face_index", index))
+    assert "only where across is -1" in told(
+        assert_equal, np.zeros(9, bool), np.arange(9) < 8, ("across", np.arange(9) // 8 - 1))
     nowhere = np.where(once != right, np.inf, right)
     assert told(assert_close, nowhere, right, ("faces", faces)) == ""  # divided by a mass of 0
     w = np.array([1.0, -2, 3, -4, 5, 6, 7, -8, 9, 1, 2, -3, 4, 5])
@@ -143,16 +140,6 @@ def test_what_indices_tell_is_told():
 def test_no_mistake_is_named_where_none_explains_the_numbers(got, expected):
     """A hint that is only a guess."""
     assert told(assert_equal, got, expected) == ""
-
-
-def test_few_numbers_are_not_certain():
-    """Three numbers have the wrong sign by chance, too."""
-    assert told(assert_close, -CORNER[0], CORNER[0]) == "it may be that the sign is flipped"
-
-
-def test_float32_is_not_named_where_the_numbers_are_far_off():
-    """All numbers are such that float32 holds them, and one is wrong."""
-    assert "float32" not in told(assert_close, CORNER * [1, 1, 1.001], CORNER)
 
 
 @pytest.mark.parametrize(("came", "expected", "told"), [
@@ -254,16 +241,17 @@ UP, SQUARES, ZEROS = np.arange(1.0, 9), np.arange(8.0) ** 2, np.zeros(8)
 
 @pytest.mark.parametrize(("returned", "got", "expected", "suspected"), [
     ((UP, SQUARES), UP, SQUARES, ("the outputs are in the wrong order", True)),
+    ((UP, np.arange(8)), UP, np.arange(8), ("the outputs are in the wrong order", True)),
     ((UP, ZEROS), ZEROS, UP + 1, hints.NOTHING),
     ((UP, -2 - UP), np.stack([UP, -2 - UP]), np.stack([UP, 2 + UP]),
      ("the sign is flipped in [..., 1, :]", True)),
-], ids=["another order", "zero everywhere", "several in one array"])
+], ids=["another order", "another kind", "zero everywhere", "several in one array"])
 def test_what_several_outputs_tell_together_is_told(returned, got, expected, suspected):
     """Each of two outputs looks like a mistake of its own. That nothing came is seen; "in output
     2", and then nothing, is no hint either. A check stacks two gradients, and the sign of one,
     which is plain, is not named.
     """
-    compared = mismatch(got, expected).compared
+    compared = mismatch(got, expected, assert_equal).compared
     assert hints.suspected(compared, (edge, (), {}), returned) == suspected
 
 

@@ -97,14 +97,14 @@ def test_the_class_s_page_says_how_many_are_graded_and_how_well():
     """After Ctrl-C, 2 of 8 rows look like the whole class. Or the median of two is the better one.
     """
     text = class_page(graded("ada"), graded("bob", {"Zero stays": "no"}), waiting=2)
-    assert "2 of 4 submissions graded" in text and "2 are still to be graded" in text
+    assert "Submissions: 2 of 4 graded" in text and "2 are still to be graded" in text
     assert section(text, "Distribution").startswith("median 2.5 of 3 points")
 
 
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
     text = class_page(record(submission("ada"), result(problem="no worker could be started\nno")))
-    assert "0 of 1 submissions graded" in text
+    assert "Submissions: 0 of 1 graded" in text
     assert section(text, "Everybody") == (
         "points of 3 seed problem ada 0 4 no worker could be started")
 

@@ -96,10 +96,11 @@ def test_a_wrong_line_is_refused(read, lines, sentence):
 
 def test_a_name_that_fits_nobody_is_told(read):
     """A misspelt name is one without an extension."""
-    book, _ = graded(read("nalvares,,2026-11-23T00:00", "x,9000,", "50103,50102,"))
+    book, _ = graded(read("nalvares,,2026-11-23T00:00", "x,9000,", "50103,50102,", "50101,blu,"))
     said = [line for line in book.said() if "people.csv" in line]
     assert [line.partition(": ")[2] for line in said] == [
-        "nothing was handed in by nalvares", "nothing was handed in by 9000"]
+        "nothing was handed in by nalvares", "nothing was handed in by 9000",
+        "nothing was handed in by blu"]
     wei = [submission(f"wei_{number}", "canvas", id=str(number), name="Wei") for number in (1, 2)]
     assert people.said(wei, read("Wei,,2026-11-23T00:00"))[0].endswith(
         "line 2: 2 are called so, and the line counts for none: wei_1, wei_2")

@@ -72,7 +72,7 @@ def test_a_run_that_is_stopped_ends_all_that_it_started(
     run = subprocess.Popen([sys.executable, "-m", *grade_command(tmp_path, "--seconds", "100")],
                            cwd=course, env=settings, stdout=subprocess.PIPE,
                            stderr=subprocess.PIPE, text=True, start_new_session=True)
-    assert run.stdout.readline() == "reading 3 submissions\n"
+    assert run.stdout.readline() == "submissions to read: 3\n"
     assert run.stdout.readline().startswith("isolation: process")
     if late:
         wait_until(lambda: len(list(tmp_path.glob("out/students/*/report.html"))) == 2,
@@ -92,5 +92,5 @@ def test_a_run_that_is_stopped_ends_all_that_it_started(
     if late:
         endless.write_text(LAB)
         done = run_module(course, *grade_command(tmp_path, "--seconds", 100, "--resume"))
-        assert "1 submissions graded" in done.stdout and "2 were done before" in done.stdout
+        assert "submissions: 1 graded" in done.stdout and "2 were done before" in done.stdout
         assert [row["total"] for row in grades(tmp_path / "out").values()] == ["7", "6", "7"]

@@ -103,5 +103,5 @@ def test_a_step_has_no_part_in_marks(house, run_module, tmp_path):
     titles = [title for title in rows["ada"] if title[0].isdigit()]
     assert titles == ["1.2 quadruple", "1.4 quarter"]
     report = (tmp_path / "out" / "students" / "ada" / "report.html").read_text("utf-8")
-    assert "6 of 6 points" in report and "0 of 1 claims hold. To check it again" in report
+    assert "6 of 6 points" in report and "0 of 1 claim holds. To check it again" in report
     assert "0 points" not in report and ">step<" in report

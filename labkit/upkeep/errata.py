@@ -23,12 +23,9 @@ def page() -> str:
     parts = [HEAD]
     for path in sorted(FOLDER.glob("*.ipynb")):
         if boxes := [box for text in exercises.cells(path) for box in BOX.findall(text)]:
-            parts += [f"## [{title_of(path)}]({path.name})\n", "\n\n".join(boxes) + "\n"]
+            title = exercises.cells(path)[0].partition("\n")[0].removeprefix("# ")
+            parts += [f"## [{title}]({path.name})\n", "\n\n".join(boxes) + "\n"]
     return "\n".join(parts)
-
-
-def title_of(path):
-    return exercises.cells(path)[0].partition("\n")[0].removeprefix("# ")
 
 
 def write() -> None:

@@ -36,7 +36,8 @@ def assert_pixels(impl, picture, first, second):
 @exercise("8.6")
 def test_neighbours_that_see_different_faces_are_pairs(impl):
     """Pairs with the background (-1, no face) are left out, pairs that see one face are not, or
-    pixels above each other are. Rows and columns are swapped."""
+    pixels above each other are. A pair comes twice, or pixels meet at a corner alone. Rows and
+    columns are swapped."""
     assert_pixels(impl, [[-1, 3, 3], [-1, -1, 3]], [0, 1, 4], [1, 4, 5])
     assert_pixels(impl, [[2, 2], [2, 2]], [], [])
 

@@ -130,9 +130,7 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
     picture comes, without the buffers. They are those of `visible`, without the colour that `shade`
     adds.
     """
-    uv = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
-    texture = impl.Texture(uv, ALONE[0], np.ones((4, 8, 2)), "linear")
-    got = impl.draw(bar(6, 5, 2.5), *ALONE, texture, 6, 5, np.zeros(2))
+    got = impl.draw(bar(6, 5, 2.5), *ALONE, impl.Colours(np.ones((3, 2))), 6, 5, np.zeros(2))
     if isinstance(got, tuple) and len(got) == 2 and isinstance(got[1], tuple):
         got = got[0], got[1][:5]  # without the pairs
     assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x2))")

@@ -95,8 +95,8 @@ class Gradebook:
         lines = []
         if self.roster:
             title = self.roster.sheet.header[self.roster.column]
-            lines.append(f"{len(self.rows)} of {len(self.handed_in)} submissions are matched with "
-                         f"{self.roster.path}; their points go to the column {title!r}")
+            lines.append(f"submissions matched with {self.roster.path}: {len(self.rows)} of "
+                         f"{len(self.handed_in)}; their points go to the column {title!r}")
             lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
             lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
                       self.rows.items() if (word := rosters.kept_word(self.roster, row))]
@@ -106,7 +106,7 @@ class Gradebook:
                              f"{'; '.join(absent)}")
             most = rosters.most(self.roster)
             if most not in (None, self.of):
-                lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
+                lines.append(f"{title!r} is out of {sheets.number_text(most)} there, and "
                              f"out of {self.of} here: make it {self.of} there before you import")
         return lines + self.said_of_times() + people.said(self.handed_in.values(), self.persons)
 

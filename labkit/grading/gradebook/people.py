@@ -87,9 +87,9 @@ def due_times(handed_in, people) -> dict[str, float]:
 
 def said(handed_in, people):
     """Sentences on lines that fit nobody: they have not handed in, or are misspelt."""
-    known = called(handed_in)
+    known, alone = called(handed_in), {one.student for one in handed_in if not one.group}
     return [f"{person.where}: " + (
-        f"{len(known[person.name])} are called so, and the line counts for none: "
-        f"{', '.join(known[person.name])}" if person.name in known else
-        f"nothing was handed in by {person.group or person.name}")
-        for person in people if len(known.get(person.name, ())) != 1]
+        f"{len(students)} are called so, and the line counts for none: {', '.join(students)}"
+        if len(students) > 1 else f"nothing was handed in by {person.group or person.name}")
+        for person in people if len(students := known.get(person.name, ())) != 1
+        or (person.group and students[0] in alone)]

@@ -98,6 +98,6 @@ def sentences(record: Record) -> list[str]:
     found = override_sentences(record)
     if late and late != NO_TIME:
         found.append(f"handed in {late if late == NOT_TOLD else f'late by {late}'}: "
-                     f"{number_text(taken_off(record))} points are taken off, "
-                     f"{number_text(after_lateness(record))} remain")
+                     f"{number_text(taken_off(record))} is taken off the points, "
+                     f"{number_text(after_lateness(record))} remains")
     return found

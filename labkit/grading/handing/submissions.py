@@ -53,7 +53,7 @@ def read(folder, topics) -> tuple[list[Submission], list]:
                          + "".join(f"\n{name}: {sentence}" for name, sentence in not_understood))
     names, senders = distinct(found), Counter(path for each in found.values() for _, path in each)
     groups = {path: path.name for path, count in senders.items() if count > 1}
-    print(f"reading {len(found)} submissions", flush=True)
+    print(f"submissions to read: {len(found)}", flush=True)
     return [submission(names[student], found[student], topics, groups)
             for student in sorted(found)], not_understood
 

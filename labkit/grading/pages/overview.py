@@ -44,7 +44,7 @@ def overview(records, exercises, level, about, not_understood=(), unusual=(), wa
         "Unusual, for a person to judge": unusual_part(unusual),
         "Everybody": table(*everybody(records, exercises))}
     sections = {title: content for title, content in sections.items() if content}
-    about = (f"{len(graded)} of {len(records) + waiting} submissions graded; isolation {level} "
+    about = (f"Submissions: {len(graded)} of {len(records) + waiting} graded; isolation {level} "
              f"({about})" + f"; {waiting} are still to be graded" * bool(waiting))
     return document("Grades", paragraph(about), contents(sections), *(
         f'<h2 id="{anchor(title)}">{title}</h2>\n{content}'
