@@ -49,8 +49,8 @@ class Strict(TorchFunctionMode):
         require(len(places) < 2 or name in MAY_MIX, f"{name} takes tensors on one device, and here "
                 "one is on the card, another on the processor: give .cuda() of that")
         is_there = any(map(has, given))
-        require(not (is_there and name in ("numpy", "__array__")), "NumPy takes no tensor that is on the card: "
-                "give .cpu() of it")
+        require(not (is_there and name in ("numpy", "__array__")),
+                "NumPy takes no tensor that is on the card: give .cpu() of it")
         made = function(*args, **kwargs or {})
         return put(made) if is_there else made
 

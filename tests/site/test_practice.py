@@ -136,7 +136,7 @@ def test_a_later_labs_picture_is_drawn_by_the_readers_labs(desks, address):
 def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
     """The check is not the course's own, or its report speaks of a terminal."""
     found = place(desk.new_page(), "edge_function", f"{address}/{LAB_2}")
-    write(found, "def edge_function(p, a, b):\n return ((b-a)[..., ::-1] * [-1, 1] * (p-a)).sum(-1)")
+    write(found, "def edge_function(p, a, b):\n return ((b-a)[..., ::-1]*[-1, 1]*(p-a)).sum(-1)")
     report = checked(found, "done, fine print open")
     assert "(2000, 2)" in report and "npz" not in report
     wrong = answer("edge_function").replace("return ", "return -")

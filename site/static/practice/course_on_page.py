@@ -25,15 +25,16 @@ FILED = re.compile(r"^(inputs|picture) .*(\n {10}.*)*\n", re.MULTILINE)  # rows 
 class Missing:
     """What is imported and not loaded yet: names of `wanted`, for the worker to load."""
 
-    wanted = set()
+    def __init__(self):
+        self.wanted = set()
 
-    @classmethod
-    def find_spec(cls, name, *_):
+    def find_spec(self, name, *_):
         if name in PACKAGES:
-            cls.wanted.add(PACKAGES[name])
+            self.wanted.add(PACKAGES[name])
 
 
-sys.meta_path.append(Missing)
+missing = Missing()
+sys.meta_path.append(missing)
 
 
 def put(files):
@@ -41,11 +42,11 @@ def put(files):
     shutil.copytree(ROOT / "labkit" / "handed_out", ROOT / "labs", dirs_exist_ok=True)
     for topic, text in files.items():
         (ROOT / "labs" / f"{topic}.py").write_text(text, "utf-8")
-    stale = ("labs.", "tests.") if Missing.wanted else "labs."  # checks that were not imported
+    stale = ("labs.", "tests.") if missing.wanted else "labs."  # checks that were not imported
     for name in [name for name in sys.modules if name.startswith(stale)]:
         del sys.modules[name]
     importlib.invalidate_caches()
-    Missing.wanted.clear()
+    missing.wanted.clear()
 
 
 def answer(kind, files, *rest):
@@ -54,10 +55,10 @@ def answer(kind, files, *rest):
     try:
         found = globals()[kind](*rest)
     except ModuleNotFoundError:
-        if not Missing.wanted:
+        if not missing.wanted:
             raise
         found = {}
-    return json.dumps({"needs": sorted(Missing.wanted), **found})
+    return json.dumps({"needs": sorted(missing.wanted), **found})
 
 
 def ready():
