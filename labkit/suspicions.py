@@ -262,7 +262,7 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place, whole = next(places(wrong, wrong | (expected == 0), inputs), (ANYWHERE, None))
+    place, whole = next(places(wrong, expected == 0, inputs), (ANYWHERE, None))
     several = whole is not None or len(set(np.abs(right))) > 1  # else any number is a multiple
     if whole is not None and np.ptp(got[whole]) == 0 and (
             np.ptp(expected[whole]) or not got[whole].any()):
@@ -275,9 +275,9 @@ def in_a_part(got, expected, wrong, agrees, inputs):
             yield f"it is {factor:.6g} times what was expected{place}{named(factor, inputs)}"
 
 
-def places(wrong, wrong_or_zero, inputs):
+def places(wrong, zero, inputs):
     """Yield (" in [..., 1]", all of it): the places along a short axis where all is that is wrong.
-    Several are wrong all over, but for zeros.
+    Several are wrong all over, but for what is expected to be zero.
 
     Then (" where w < 0", all of it): the sign of an input, if it is wrong just there.
     """
@@ -285,7 +285,7 @@ def places(wrong, wrong_or_zero, inputs):
         others = tuple(k for k in range(wrong.ndim) if k != axis)
         along = np.flatnonzero(wrong.any(others))
         whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
-        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or wrong_or_zero[whole].all()):
+        if len(along) < wrong.shape[axis] <= 4 and (len(along) == 1 or (wrong | zero)[whole].all()):
             after = ", :" * (wrong.ndim - 1 - axis)
             yield " in " + " and ".join(f"[..., {k}{after}]" for k in along), whole
     for name, value in inputs:

@@ -161,9 +161,7 @@ def coloured(face_index, points, faces, colours, background):
 
 
 def all_pairs(face_index, depth, clip, points, faces, opposite, walks=True):
-    """`intersections.all_pairs`, with the points of `screen_vertices`. If nothing walks,
-    `outlines.blended_pairs`.
-    """
+    """`intersections.all_pairs`, or `outlines.blended_pairs` if nothing walks. points: screen."""
     height, width = face_index.shape
     screen = pair_kernels.Screen(face_index.ravel(), depth.ravel(), width, height)
     surface = pair_kernels.Surface(points, faces, opposite)

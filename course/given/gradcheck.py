@@ -232,7 +232,7 @@ def explanation(part, inputs):
         return unseen | (relative_error(analytic, numeric) <= RTOL)
 
     found = suspicion(part.analytic, part.numeric, agrees, inputs)
-    place, _ = next(places(part.off(), inputs), ("", None))
+    place, _ = next(places(part.off(), part.numeric == 0, inputs), ("", None))
     return f"; {found}" if found else place
 
 
