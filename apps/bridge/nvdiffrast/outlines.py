@@ -31,8 +31,8 @@ def antialias(color, rast, pos, tri, topology_hash=None, pos_gradient_boost=1.0)
     """
     if topology_hash is None:
         topology_hash = antialias_construct_topology_hash(tri)
-    require(getattr(topology_hash, "shape", None) == tri.shape, "topology_hash must come from "
-            "antialias_construct_topology_hash(tri)")
+    require(isinstance(topology_hash, np.ndarray) and topology_hash.shape == tri.shape,
+            "topology_hash must come from antialias_construct_topology_hash(tri)")
     require(color.shape[:3] == rast.shape[:3], f"color and rast must be of the same pictures; they "
             f"have {tuple(color.shape)} and {tuple(rast.shape)}")
     return Antialias.apply(color, rast, pos, tri, topology_hash, pos_gradient_boost)
