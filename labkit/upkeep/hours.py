@@ -1,11 +1,12 @@
-"""How long a lab takes: its lecture is read, then its core exercises are solved.
+"""How long a lab takes: its lecture is worked through, then its core exercises are solved.
 
-    hours = words of the lecture / 75 a minute + 1 minute a figure + 6 minutes a point of the core
+    minutes to read = words / 180 + figures / 3 + displayed equations / 2 + lines of code / 15
+    hours of a lab  = 1.5 times the minutes to read + 6 minutes a point of the core
 
-Sections and pages that no core exercise needs are marked as further reading, and do not count, nor
-do "On paper" and the sources. The three numbers are a rule, not a measurement of readers: change
-them here when a class was measured. README.md, notebook 00 and teaching print them. A test tells
-when they are behind. This command updates them:
+Code that is folded away, answers and pseudocode do not count, nor, in the hours, what no core
+exercise needs: sections and pages that are marked as further reading. The numbers are a rule, not a
+measurement of readers: change them here when a class was measured. README.md, notebook 00 and
+teaching print them. A test tells when they are behind. This command updates them:
 
     python3 -m labkit.upkeep.hours
 """
@@ -17,27 +18,38 @@ from .. import exercises, places
 PRINTED = [places.ROOT / page
            for page in ("README.md", "notebooks/00_start_here.ipynb", "teaching/README.md")]
 
-WORDS_A_MINUTE = 75
-MINUTES_A_FIGURE = 1
+READINGS = 1.5
 MINUTES_A_POINT = 6
-TAG = re.compile("<[^>]*>")  # the words for who does not see a picture are in one
+UNREAD = re.compile(r"<details>.*?</details>|<[^>]*>|```.*?```", re.DOTALL)
+EQUATION = re.compile(r"\$\$.*?\$\$", re.DOTALL)
+FOLDED = "# figure:", "# opening:"   # how cells begin that only draw
 LEFT = "*Further reading", "## On paper", "## Sources"
 
 
-def sections(path):
-    """{title: minutes} of a lecture's sections, in their order; "" is what stands above them."""
-    title, minutes, left = "", {}, False
+def minutes(path, is_needed=False):
+    """What a lecture takes to read: all of it, or what a core exercise needs."""
+    took, left = 0, False
     page_left = LEFT[0] in exercises.cells(path)[0]
     for cell in json.loads(exercises.read(path))["cells"]:
-        parts = re.split(r"^(?=## )", "".join(cell["source"]), flags=re.M)
-        figures = sum("image/png" in output.get("data", {}) for output in cell.get("outputs", ()))
-        for part in parts if cell["cell_type"] == "markdown" else [""]:
+        is_text, text = cell["cell_type"] == "markdown", "".join(cell["source"])
+        for part in re.split(r"^(?=## )", text, flags=re.M) if is_text else [text]:
             if part.startswith("## "):
-                title, left = part.partition("\n")[0][3:], page_left
+                left = page_left
             left = left or any(mark in part for mark in LEFT)
-            took = len(TAG.sub("", part).split()) / WORDS_A_MINUTE + MINUTES_A_FIGURE * figures
-            minutes[title] = minutes.get(title, 0) + (0 if left else took)
-    return minutes
+            if not (is_needed and left):
+                took += of_text(part) if is_text else of_code(part, cell["outputs"])
+    return took
+
+
+def of_text(text):
+    text = UNREAD.sub("", text)
+    return len(EQUATION.sub("", text).split()) / 180 + len(EQUATION.findall(text)) / 2
+
+
+def of_code(code, outputs):
+    lines = sum(line.strip() != "" for line in code.splitlines())
+    figures = sum("image/png" in output.get("data", {}) for output in outputs)
+    return figures / 3 + (0 if code.startswith(("# live", *FOLDED)) else lines / 15)
 
 
 def core(lab):
@@ -54,8 +66,8 @@ def pages(lab: int) -> list:
 def hours(lab: int) -> float:
     """What a lab's lecture and core take, to the half of an hour."""
     points = sum(exercise.points for exercise in core(lab))
-    read = sum(minutes for path in pages(lab) for minutes in sections(path).values())
-    return round((read + MINUTES_A_POINT * points) / 30) / 2
+    read = sum(minutes(path, is_needed=True) for path in pages(lab))
+    return round((READINGS * read + MINUTES_A_POINT * points) / 30) / 2
 
 
 def told(labs) -> str:

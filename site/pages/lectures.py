@@ -53,9 +53,9 @@ def ways(path, line):
     """The line below a lecture's title: where to run and read it, what it leads to, its minutes."""
     rest = NEIGHBOUR.sub("", line).replace("code: ", "Source: ")
     rest = re.sub(r"lab: \[[^]]*\]", f"[Lab {int(path.stem[:2])}]", rest)
-    minutes = 5 * round(sum(hours.sections(path).values()) / 5)
+    minutes = 5 * round(hours.minutes(path) / 5)
     return "{.ways}\n" + " · ".join(['<a href="../index.html#get-the-course">Run it</a>', rest] +
-                                    [f"about {minutes} minutes to read"] * bool(minutes))
+                                    [f"about {minutes} minutes to read"])
 
 
 def linked(text):

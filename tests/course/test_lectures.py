@@ -14,7 +14,6 @@ from labkit.upkeep import errata, hours, notebooks, pictures
 
 PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
-FOLDED = "# figure:", "# opening:"                 # how cells begin that only draw
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 WORDING = {                                        # what was translated, and what to write
     "asked at": "sampled at", "in the mean": "on average", "dear": "expensive",
@@ -90,17 +89,8 @@ def test_no_picture_has_ink_on_its_left_or_right_edge(path):
 
 @each_lecture
 def test_a_lecture_takes_40_minutes_at_most(path):
-    """Two lectures in one: words at 180 a minute, a figure in 20 seconds, a displayed equation in
-    30, and a line of code that is not folded away in 4. Pseudocode, answers and the words of a
-    picture for who does not see it do not count.
-    """
-    text = re.sub(r"<details>.*?</details>|<img [^>]*>", "", text_of(path), flags=re.DOTALL)
-    words = re.sub(r"\$\$.*?\$\$|```.*?```", "", text, flags=re.DOTALL)
-    figures = path.read_text(encoding="utf-8").count('"image/png": "')
-    lines = [line for code in exercises.cells(path, "code") for line in code.splitlines()
-             if line.strip() and not code.startswith(("# live", *FOLDED))]
-    minutes = len(words.split()) / 180 + figures / 3 + text.count("$$") / 4 + len(lines) / 15
-    assert minutes <= 40
+    """Two lectures in one, by the minutes that the web site prints."""
+    assert hours.minutes(path) <= 40
 
 
 @each_lab
@@ -140,7 +130,7 @@ def test_a_lecture_begins_and_its_figures_are_folded_away(path):
     draws = re.compile(r"^(axes.*= plot\.panels|figure, axes = plt|.*sketch\.sheet|plot\.film)",
                        re.MULTILINE)
     assert [cell[:60] for cell in others
-            if draws.search(cell) and not cell.startswith(FOLDED)] == []
+            if draws.search(cell) and not cell.startswith(hours.FOLDED)] == []
 
 
 @each_page

@@ -68,7 +68,7 @@ def test_the_first_line_says_where_to_run_and_to_read_a_lecture():
     """Who wants to run a lecture has to find the course and the code."""
     path = lecture("02")
     line = article(path).select_one(".ways")
-    assert line.get_text() == "Run it · Source: rasterization · Lab 2 · about 60 minutes to read"
+    assert line.get_text() == "Run it · Source: rasterization · Lab 2 · about 35 minutes to read"
     assert line.a["href"] == "../index.html#get-the-course"
 
 
