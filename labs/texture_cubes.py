@@ -1,9 +1,9 @@
 """texture_cubes: T^3 texels and one light for each face, and the picture that they make.
 
-Pass 3 of neural_renderer. w and z are a pixel's weights and depth of eqs. (2) and (3), z_k the
-depths of its face's corners.
+Pass 3 of neural_renderer. w and depth are a pixel's, of eqs. (2) and (3), z_k the depths of its
+face's corners.
 
-    t_k = (T - 1) w_k z / z_k                  place in the face's cube of T^3 texels          (4)
+    t_k = (T - 1) w_k depth / z_k              place in the face's cube of T^3 texels          (4)
     colour = sum over 8 taps of texel prod_k a_k      a_k: t_k - low_k or 1 - (t_k - low_k)    (5)
     light = A + D max(0, n . l)                n: unit normal, l: towards the light            (6)
 
@@ -215,7 +215,8 @@ def face_light_backward(grad_light, corners, ambient, directional, towards):
     normal = area / length
     cosine = (normal @ towards)[:, None]
     grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
-    # n = N / |N|, N = (b - a) x (c - a): G . (db x (c - a) + (b - a) x dc), turned round.
+    # n = N / |N|, so d(n . l) = (l - (n . l) n) . dN / |N|. N = (b - a) x (c - a), so G . dN is
+    # db . ((c - a) x G) + dc . (G x (b - a)), and da takes away what both get.
     grad_area = grad_cosine * (towards - cosine * normal) / length
     grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
     grad_corners = np.stack([-grad_b - grad_c, grad_b, grad_c], 1)
