@@ -14,7 +14,6 @@ receive the shadow, and by (10) all that the map shows. The fit finds the light 
 
 Source: Donnelly and Lauritzen 2006 (8), (9).
 """
-import functools
 import numbers
 from typing import NamedTuple
 
@@ -310,17 +309,16 @@ def fit_position(target, points, vertices, faces, guess, settings, schedule):
     falls as the rate does. The light looks at the scene anew in each step. Found from within about
     20 % of the scene's size and a light well above the ground. From farther it may end elsewhere.
     """
-    radii = iter([round(settings.radius * rate / schedule[0]) for rate in schedule])
-
-    def gradient(position):
-        light = lights.point_light(position, vertices)
-        return position_loss(target, points, vertices, faces, light,
-                             settings._replace(radius=next(radii)))
-
-    start = lights.point_light(guess, vertices).position
-    update = functools.partial(step_in_light, vertices=vertices)
-    path = inverse_rendering.descend(start, gradient, schedule, update)
-    return np.array([start, *(position for position, _ in path)])
+    path = [lights.point_light(guess, vertices).position]
+    mean = square = np.zeros(3)
+    for step, rate in enumerate(schedule, 1):
+        light = lights.point_light(path[-1], vertices)
+        blurred = settings._replace(radius=round(settings.radius * rate / schedule[0]))
+        _, grad_position = position_loss(target, points, vertices, faces, light, blurred)
+        position, mean, square = step_in_light(path[-1], grad_position, mean, square, step, rate,
+                                               vertices)
+        path.append(position)
+    return np.array(path)
 
 
 def require_settings(settings):
