@@ -6,7 +6,7 @@ original counts from the first centre: its p is ours - 1/2, from -1/2 to size - 
 
     M = [p_0 p_1 p_2; 1 1 1]                       columns: a face's corners on screen         (1)
     c = M^-1 (x, y, 1),  u = clamp(c, 0, 1),  w = u / sum u         weights on screen          (2)
-    depth = 1 / sum_k w_k / z_k                    right in perspective                        (3)
+    z = 1 / sum_k w_k / z_k                        depth, right in perspective                 (3)
 
 M^-1 is face_inv. Its rows are the edge functions of lab 2 over 2A, and it is the M^-1 of lab 7.
 Texels and light, eqs. (4) to (6), are in texture_cubes.py. Two approximate gradients for outlines,
@@ -96,7 +96,7 @@ def face_inverse(triangles):  # step 10.1
     rows = [np.stack([y[..., i] - y[..., j], x[..., j] - x[..., i],
                       x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1) for i, j in EDGES]
     double_area = rows[0][..., 2] + rows[1][..., 2] + rows[2][..., 2]
-    return (np.stack(rows, -2) + 0.0) / double_area[..., None, None]  # + 0.0: no -0.0 is printed
+    return (np.stack(rows, -2) + 0.0) / double_area[..., None, None]  # + 0.0 makes -0.0 to 0.0
 
 
 def face_inverse_backward(grad_inverse, inverse):
@@ -112,7 +112,7 @@ def face_inverse_backward(grad_inverse, inverse):
 
 
 def screen_weights_and_depth(inverse, z, x, y):  # step 10.2
-    """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth (...).
+    """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth z (...).
 
     inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...). Faces hide each other by it.
 

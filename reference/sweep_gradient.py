@@ -5,8 +5,8 @@ line of pixels that an edge crosses. How far must the edge go to reach pixel j, 
 the loss fall if I_j became I_beyond, the colour on the other side of the edge?
 
     g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps_j)    for end i of the edge   (7)
-    d_j = way_j / share_i,   way_j = 2/W (x_j - crossing)   eps has the sign of the edge's motion
-    share_b = (y - a_y) / (b_y - a_y) = 1 - share_a,   crossing = share_a a_x + share_b b_x    (8)
+    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)   eps has the sign of the edge's motion
+    share_b = (y - a_y) / (b_y - a_y) = 1 - share_a,   x_edge = share_a a_x + share_b b_x      (8)
 
 Moving end i alone by 1 moves the crossing by share_i. Rows of pixels give the gradients in x.
 Columns give those in y: they are rows of the transposed picture.
@@ -50,9 +50,10 @@ def sweep_lines(grad_colour, colour, sees, crossing,  # exercise 10.7 (4 points)
                 side, share, eps=1e-4):
     """K lines of pixels, each crossed by an edge: the gradients (K, 2) of the edges' ends, in ndc.
 
-    grad_colour, colour (K, W, C). sees (K, W): is the face seen? crossing, side (K,), share (K, 2).
-    Outside is where j grows if side is 1, falls if -1. inner is the last pixel not outside, outer
-    the next. Add up `edge_pulls` as the lecture's loop does, 0 if inner or outer is off the line.
+    grad_colour, colour (K, W, C). sees (K, W): is the face seen? crossing (x_edge), side (K,).
+    share (K, 2). Outside is where j grows if side is 1, falls if -1. inner is the last pixel not
+    outside, outer the next. Add up `edge_pulls` as the lecture's loop does, 0 if inner or outer is
+    off the line.
 
     >>> colour, sees = np.array([[[1.0], [1.0], [0.0], [0.0]]]), np.array([[1, 1, 0, 0]]) > 0
     >>> grad_colour = np.array([[[0.0], [0.0], [-1.0], [0.0]]])  # pixel 2 is asked to shine

@@ -1,9 +1,9 @@
 """texture_cubes: T^3 texels and one light for each face, and the picture that they make.
 
-Pass 3 of neural_renderer. w and depth are a pixel's, of eqs. (2) and (3), z_k the depths of its
-face's corners.
+Pass 3 of neural_renderer. w and z are a pixel's weights and depth of eqs. (2) and (3), z_k the
+depths of its face's corners.
 
-    t_k = (T - 1) w_k depth / z_k              place in the face's cube of T^3 texels          (4)
+    t_k = (T - 1) w_k z / z_k                  place in the face's cube of T^3 texels          (4)
     colour = sum over 8 taps of texel prod_k a_k      a_k: t_k - low_k or 1 - (t_k - low_k)    (5)
     light = A + D max(0, n . l)                n: unit normal, l: towards the light            (6)
 

@@ -35,13 +35,12 @@ def with_meetings(pairs, through, face_index, clip, faces, opposite):
     """The Pairs, and those where surfaces meet. through: the second walks whose surface passes the
     other's centre, of which owner, other and face are asked.
     """
-    if len(through.owner) == 0:
+    count, shape = len(through.owner), face_index.shape
+    if count == 0:
         return pairs
-    shape = face_index.shape
-    owner, other = through.other, through.owner  # the second walks went back
-    unknown = np.zeros((2, len(owner)))
-    at_owner = Pairs(owner, other, unknown[0], unknown, unknown, unknown, face_index.ravel()[owner],
-                     through.face)
+    unknown, owner = np.zeros((2, count)), through.other  # the second walks went back to the owner
+    at_owner = Pairs(owner, through.owner, unknown[0], unknown, unknown, unknown,
+                     face_index.ravel()[owner], through.face)
     with np.errstate(all="ignore"):  # of faces without area
         met = followed(at_owner, clip, faces, opposite, shape)
         met = met._replace(ends=numbers(met, clip))
@@ -60,12 +59,10 @@ def followed(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
     face and edge are the faces at the owner's centre. The walk that is behind takes the next step.
     """
-    height, width = shape
-    mesh = screen_points(clip, width, height), faces, width
-    firsts = [leave_faces(met.owner, met.other, face, *mesh) for face in (met.face, met.edge)]
-    walks = [Pairs(*map(np.array, first)) for first in firsts]
-    go = np.arange(len(met.c))
-    is_met = np.zeros(len(met.c), bool)
+    width, go, is_met = shape[1], np.arange(len(met.c)), np.zeros(len(met.c), bool)
+    mesh = screen_points(clip, width, shape[0]), faces, width
+    walks = [Pairs(*map(np.array, leave_faces(met.owner, met.other, face, *mesh)))
+             for face in (met.face, met.edge)]
     met = met._replace(face=walks[0].face, edge=walks[1].face)
     for _ in range(2 * len(faces)):  # no walk is longer
         if len(go) == 0:
@@ -105,10 +102,9 @@ def planes(met, x, y, clip, faces, shape):
     screen_x, screen_y = screen_x - place_x, screen_y - place_y
     z = clip[:, 2][corners] / w
     e = np.cross(screen_x, screen_y, axis=0)  # edge functions
-    minus = -np.ones(corners.shape)           # what a step does to the corners, seen from there
-    e_x, e_y = np.cross(minus, screen_y, axis=0), np.cross(screen_x, minus, axis=0)
-    slope = np.stack([(e_x * z).sum(0), (e_y * z).sum(0)])
-    area = e.sum(0)
+    e_x = np.roll(screen_y, -1, 0) - np.roll(screen_y, -2, 0)  # y_i - y_j: how they change with x
+    e_y = np.roll(screen_x, -2, 0) - np.roll(screen_x, -1, 0)
+    area, slope = e.sum(0), np.stack([(e_x * z).sum(0), (e_y * z).sum(0)])
     return corners, (e * z).sum(0) / area, e / area, slope / area
 
 
@@ -131,8 +127,7 @@ def points(pairs, shape, clip, faces):
     """clip (V, 4), followed by the ends of the lines where surfaces meet, which the Pairs name."""
     if none_meet(pairs, clip):
         return clip
-    height, width = shape
-    met = meetings(pairs, clip)
+    met, (height, width) = meetings(pairs, clip), shape
     d_0, d_x, d_y = gap(met, clip, faces, shape)
     y = np.array([[-0.5], [0.5]])
     x, y = out_of_frame(met, -(d_0 + d_y * y) / d_x, y, width)
@@ -146,8 +141,7 @@ def points_backward(grad_points, pairs, shape, clip, faces):
     """Backward of `points`, as far as it moves c: grad_points (V + 2 N, 4) -> grad_clip (V, 4)."""
     if none_meet(pairs, clip):
         return grad_points
-    height, width = shape
-    met = meetings(pairs, clip)
+    met, (height, width) = meetings(pairs, clip), shape
     # c is the mean of both ends' x, so both move along the pair by dc, however the line leans.
     grad = grad_points[met.ends].sum(0)
     dx, dy = pair_step(met.owner, met.other, width)

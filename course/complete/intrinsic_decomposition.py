@@ -157,8 +157,7 @@ def shade_with_sun_backward(grad_colour, x, received):
 def add_sun(x):
     """An Appearance without a sun -> one where half of the light's first order comes from a sun."""
     # Of a sun in the direction d, eq. (2) makes l_1, l_2, l_3 = A_1 C1 (d_y, d_z, d_x) s.
-    y, z, x_axis = x.light[1:4].mean(1)
-    towards = np.array([x_axis, y, z])
+    towards = x.light[[3, 1, 2]].mean(1)
     length = np.linalg.norm(towards)
     towards = towards / length if length > 0 else np.array([0.0, 1.0, 0.0])
     strength = np.full(3, length / (2 * reconstruction.A[1] * reconstruction.C1))

@@ -96,10 +96,8 @@ def surroundings(surface, colours):
 
 def pieces(surface):
     """PIECES faces that stand for parts of equal area: their indices, and this area."""
-    area = np.linalg.norm(mesh.area_vectors(surface.vertices, surface.faces), axis=1) / 2
-    up_to = area.cumsum()
-    middles = up_to[-1] * (np.arange(PIECES) + 0.5) / PIECES
-    return np.searchsorted(up_to, middles), up_to[-1] / PIECES
+    sums = np.linalg.norm(mesh.area_vectors(surface.vertices, surface.faces), axis=1).cumsum() / 2
+    return np.searchsorted(sums, sums[-1] * (np.arange(PIECES) + 0.5) / PIECES), sums[-1] / PIECES
 
 
 def form_factors(points, normals, centres, piece_normals, area):
