@@ -232,13 +232,13 @@ def variance_shadow(points, vertices, faces, light, settings):
     the map are lit. ValueError for what does not fit.
     """
     require_settings(settings)
-    size, *filtered = settings
+    size, radius, least_variance = settings
     distance_map = closed_map(vertices, faces, light, size)
     moments = moments_of(distance_map)
     q = shadow_mapping.before_light(points, light)
     place = shadow_mapping.map_position(q, light.clip_from_light, size, size)
     uv = np.ascontiguousarray(place) / size
-    lit = lit_by_moments(moments, uv, -q[:, 2], *filtered)
+    lit = lit_by_moments(moments, uv, -q[:, 2], radius, least_variance)
     return lit, ShadowBuffers(distance_map, moments, q, uv)
 
 
@@ -253,10 +253,10 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     """
     # Two ways from q to the shadow, read upwards: the receivers' places and distances (9), (2), and
     # the moments of the map (10). When the light moves, all points of its frame move the other way.
-    size, *filtered = settings
+    size, radius, least_variance = settings
     distance_map, moments, q, uv = buffers
     grad_moments, grad_uv, grad_distance = lit_by_moments_backward(
-        grad_lit, moments, uv, -q[:, 2], *filtered)
+        grad_lit, moments, uv, -q[:, 2], radius, least_variance)
     grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
                                                   size)
     grad_q[:, 2] -= grad_distance

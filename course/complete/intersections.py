@@ -59,11 +59,12 @@ def followed(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
     face and edge are the faces at the owner's centre. The walk that is behind takes the next step.
     """
-    width, go, is_met = shape[1], np.arange(len(met.c)), np.zeros(len(met.c), bool)
-    mesh = screen_points(clip, width, shape[0]), faces, width
+    height, width = shape
+    mesh = screen_points(clip, width, height), faces, width
     walks = [Pairs(*map(np.array, leave_faces(met.owner, met.other, face, *mesh)))
              for face in (met.face, met.edge)]
     met = met._replace(face=walks[0].face, edge=walks[1].face)
+    go, is_met = np.arange(len(met.c)), np.zeros(len(met.c), bool)
     for _ in range(2 * len(faces)):  # no walk is longer
         if len(go) == 0:
             break
