@@ -270,7 +270,8 @@ def loss_and_gradients(x, targets, weights=WEIGHTS):
     """
     found = surface(x)
     if not len(found.faces):
-        raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
+        raise ValueError("a fit expects a surface, got distances that are nowhere below 0; check "
+                         "whether the cameras are right")
     pictures = np.stack([target.picture for target in targets])
     loss, grad_vertices, grad_albedo, grad_light, grad_level = views_loss_and_gradients(
         found.vertices, found.faces, found.albedo, x.light, targets, pictures, weights.coverage)

@@ -1,7 +1,7 @@
 """Diagnosis: why a pixel or a vertex has no position gradient, and where colours leave their range.
 
 Lab 8 blends a pair of pixels only if it passes every test below, in this order. The number of the
-first test that a pair fails, from 3 to 5, is its reason. Its gradient is not zero only at 6.
+first test that a pair fails, from 3 to 5, is its reason. A pair that fails none, 6, has a gradient.
 
     3   a walk between its centres finds an outline, or the surfaces meet there
     4   this line is steep
