@@ -30,12 +30,21 @@ from .simplification import (
 )
 
 
-class State(NamedTuple):
-    """What changes in place from collapse to collapse.
+class Entry(NamedTuple):
+    """A pair a, b on the heap, whose order is that of the costs.
 
-    An entry is (cost, a, b, the pair's age when the entry was made, position). A pair's age is the
-    sum of its vertices' ages.
+    age is the pair's when the entry was made: the sum of its vertices' ages.
     """
+
+    cost: float
+    a: int
+    b: int
+    age: int
+    position: list
+
+
+class State(NamedTuple):
+    """What changes in place from collapse to collapse."""
 
     vertices: np.ndarray  # (V, 3)
     quadrics: np.ndarray  # (V, 4, 4)
@@ -43,9 +52,9 @@ class State(NamedTuple):
     age: np.ndarray  # (V,) integers, at first 0
     rows: list  # the faces of the closed surface, [] for one that is gone
     rows_at: list  # for each vertex and `outside`, the set of its rows' numbers
-    heap: list  # of entries
+    heap: list  # of Entries
     known: set  # (a, b, age) of the pairs that were brought up to date
-    waiting: dict  # vertex -> the refused entries there
+    waiting: dict  # vertex -> the refused Entries there
 
 
 def initial_state(vertices, faces, quadrics, pairs):
@@ -101,11 +110,11 @@ def seam(state, numbers):
 
 
 def entries(state, pairs):
-    """The heap's entries for pairs (N, 2), see `State`."""
+    """The Entries of pairs (N, 2)."""
     a, b = pairs.T
     positions, costs = pair_costs(state.vertices, state.quadrics, pairs)
     columns = costs, a, b, state.age[a] + state.age[b], positions
-    return list(zip(*[np.asarray(column).tolist() for column in columns], strict=True))
+    return [Entry(*row) for row in zip(*[column.tolist() for column in columns], strict=True)]
 
 
 def root(became, vertex):
@@ -124,10 +133,10 @@ def out_of_date(state):
     """
     pairs = []
     while state.heap:
-        _, *ends, then, _ = state.heap[0]
-        a, b = sorted(root(state.became, end) for end in ends)
+        top = state.heap[0]
+        a, b = sorted([root(state.became, top.a), root(state.became, top.b)])
         now = int(state.age[a] + state.age[b])
-        if then == now:
+        if top.age == now:
             break
         heapq.heappop(state.heap)
         if a != b and (a, b, now) not in state.known:
@@ -140,7 +149,7 @@ def put_back(state, around):
     """Put refused entries that wait at one of the vertices around back on the heap."""
     for vertex in around:
         for entry in state.waiting.pop(vertex, ()):
-            for other in {entry[1], entry[2]} & state.waiting.keys():
+            for other in {entry.a, entry.b} & state.waiting.keys():
                 state.waiting[other].remove(entry)
             heapq.heappush(state.heap, entry)
 
@@ -152,20 +161,19 @@ def rows_around(state, a, b):
 
 def wait(state, entry):
     """Let a refused entry wait at both of its vertices, until `put_back`."""
-    _, a, b, *_ = entry
-    for vertex in (a, b):
+    for vertex in entry.a, entry.b:
         state.waiting.setdefault(vertex, []).append(entry)
 
 
 def collapse(state, entry):
     """Make one vertex, a, of an entry's pair a, b -> how many faces went, see `merge`."""
-    _, a, b, age, position = entry
+    a, b = entry.a, entry.b
     around = set(rows_around(state, a, b).ravel().tolist())
     count = merge(state, a, b)
-    state.vertices[a] = position
+    state.vertices[a] = entry.position
     state.quadrics[a] += state.quadrics[b]
     state.became[b] = a
-    state.age[a] = age + 1
+    state.age[a] = entry.age + 1
     put_back(state, around)
     return count
 

@@ -79,7 +79,7 @@ def on_face(directions):  # extra 6.13 (2 points)
 def in_frame(directions, face):
     """right . d, down . d and out . d of each direction's face: (N, 3, ...) -> (N, 3, ...)."""
     turned = np.empty(directions.shape)
-    for i in range(3):  # one of d's three numbers, or its opposite
+    for i in range(3):  # right, down, out: each is one of d's three numbers, or its opposite
         turned[:, i] = (SIGN[face, i] * directions[np.arange(len(face)), AXIS[face, i]].T).T
     return turned
 
@@ -125,10 +125,10 @@ def texel_directions(size):
 
 
 def across_edge(face, column, row, size):  # extra 6.14 (3 points)
-    """The texel that stands for one beyond its face's edge -> face, column, row, all (N,).
+    """The texel that stands for one beyond its face's edge -> face, column, row.
 
-    All (N,), integers: one of column and row is -1 or size. The direction to the centre of the
-    texel, eq. (12), meets another face, and there it is in the texel wanted (`nearest_texel`).
+    All are (N,), integers, as size is. One of column and row is -1 or size. The direction to the
+    texel's centre, eq. (12), meets another face. There it is in the texel wanted (`nearest_texel`).
 
     >>> one, four = np.array([1]), np.array([4])
     >>> across_edge(four, np.array([-1]), np.array([5]), np.array([8]))
@@ -274,8 +274,8 @@ def cube_filtered(levels, look, filter_mode):
     mipmap = pack_cube(levels)
     seen, _, places = cube_places(mipmap, look, filter_mode)
 
-    def colours(*place):
-        index, weight, _ = cube_map_taps(*place, mipmap, filter_mode)
+    def colours(*at):
+        index, weight, _ = cube_map_taps(*at, mipmap, filter_mode)
         return look_up(mipmap.texels, index, weight)
 
     return masked_scatter(in_parts(colours, *places), seen)
@@ -301,7 +301,7 @@ def cube_filtered_backward(grad_colour, levels, look, filter_mode):
 def cube_look_ups(mipmap, look, filter_mode):
     """Which pixels see anything (...), and of these N the `cube_map_taps`, all three."""
     seen, _, places = cube_places(mipmap, look, filter_mode)
-    return seen, *in_parts(lambda *place: cube_map_taps(*place, mipmap, filter_mode), *places)
+    return seen, *in_parts(lambda *at: cube_map_taps(*at, mipmap, filter_mode), *places)
 
 
 def cube_places(mipmap, look, filter_mode):
@@ -320,7 +320,7 @@ def on_faces(look, seen):
     if jacobian is not None:
         jacobian = face_footprint(directions[seen], jacobian[seen])
         require((np.abs(jacobian) < LARGEST).all(), "a jacobian that is less than "
-                f"{LARGEST:g} times as long as its direction", "a longer one")
+                f"{LARGEST:g} times as long as its direction", "a longer one; scale it down")
     return face, Footprint(uv, jacobian, bias[seen] if bias.ndim else bias)
 
 

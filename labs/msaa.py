@@ -141,12 +141,13 @@ def observed_order(n, error):  # extra 4.6 (2 points)
 def barycentric_at(px, py, face, clip, faces, width, height):
     """Where on its face does a screen point lie? px, py (N,) in pixels, face (N,) -> b (N, 3).
 
-    A point beside the face is taken as one in the face's plane. Some weight is then negative.
+    These are lab 5's weights b = c / sum c. A point beside the face is taken as one in the face's
+    plane. Some weight is then negative.
     """
     x, y, _, w = clip.T[:, faces[face].T]  # in clip space, where nothing is divided yet
     x, y = x - (2 * px / width - 1) * w, y - (2 * py / height - 1) * w
-    e = np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
-    return (e / e.sum(0)).T
+    c = np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
+    return (c / c.sum(0)).T
 
 
 def supersample(clip, faces, width, height, n, shade, background):

@@ -13,7 +13,7 @@ Equations (8) and (9) are in `remeshing.py`. The angles alpha and beta lie oppos
 its two faces, between sides p and q. M is diagonal: m_i is a valence with uniform weights, an area
 with cotangents. Lab 9's Laplacian is M^-1 L x with w = 1 and m = valence. edges (E, 2) and
 face_edges (F, 3) are those of `mesh.edges`: no face may name a vertex twice.
-Sources: Pinkall and Polthier 1993 (3), Desbrun 1999 (6), Taubin 1995, Nicolet et al. 2021 (10).
+Sources: Pinkall and Polthier 1993 (3), Desbrun et al. 1999 (6), Nicolet et al. 2021 (10).
 """
 import numpy as np
 import scipy.sparse
@@ -71,6 +71,7 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
 
     Fine print. It is 0 for a triangle without area, even where corners coincide.
     """
+    # q = 16 A^2 / (a b c (a + b + c)), and the normal is as long as 2 A.
     length = np.linalg.norm(sides(triangles)[0], axis=-1)
     below = length.prod(-1) * length.sum(-1)
     return 4 * (triangle_normals(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
@@ -258,7 +259,7 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.8 (3 points)
 
 
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    """Smoothing that keeps the size: in each round eq. (5) with s = shrink, then with s = -grow.
+    """Taubin 1995, which keeps the size: in each round eq. (5) with s = shrink, then s = -grow.
 
     x (V, C) -> (V, C), with 0 < shrink < grow.
 
@@ -294,7 +295,7 @@ def restore_volume(vertices, faces, volume):  # extra 13.9 (3 points)
     >>> enclosed_volume(vertices[faces]).round(6), restore_volume(vertices, faces, 9.0)[0].round(6)
     (np.float64(2.666667), array([1.5, 1.5, 1.5]))
     """
-    for _ in range(5):  # Newton's steps: after three the rest is rounding
+    for _ in range(5):  # Newton's steps: each about squares the share that is missing
         corners = vertices[faces]
         # A determinant stays the same when its rows go round, so each corner is the first one once.
         by_corner = np.cross(np.roll(corners, -1, 1), np.roll(corners, -2, 1)) / 6

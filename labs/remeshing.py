@@ -89,7 +89,7 @@ def can_flip(vertices, faces, quads):
     corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
     normal = mesh.unit(triangle_normals(corners))
     empty = ~normal[:, :2].any(-1, keepdims=True)
-    normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
+    normal[:, :2] = np.where(empty, normal[:, [1, 0]], normal[:, :2])
     alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
     return alike & ~np.isin(new, edges @ to_key)
 

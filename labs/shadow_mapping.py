@@ -217,7 +217,7 @@ def before_light(points, light):
 
 
 def require_side(function, side, least):
-    """ValueError, in one sentence, unless side is a whole number of at least least."""
+    """ValueError, in one sentence, unless side is a whole number, not below least."""
     if not (isinstance(side, numbers.Integral) and side >= least):
         raise ValueError(f"{function} expects a whole number of rows and columns, at least "
                          f"{least}, got {side!r}; give one such as 256")

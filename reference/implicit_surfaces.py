@@ -139,7 +139,7 @@ def smooth_union_backward(grad_distance, a, b, k):
     The two shares are never negative, and their sum is grad_distance. So eq. (2) holds for the
     smooth union with L = 1, if it does for a and b.
     """
-    # d(k h^2 / 4) = h/2 k dh, and k h = k - |a - b|: the larger gets h/2, the smaller 1 - h/2.
+    # d(k h^2 / 4) = h/2 d(k h), and k h = k - |a - b|: the larger gets h/2, the smaller 1 - h/2.
     # Both are 1/2 + (b - a) / (2 k) for a, as far as that lies between 0 and 1.
     share = np.clip((1 + (b - a) / k) / 2, 0, 1)
     return grad_distance * share, grad_distance * (1 - share)
@@ -237,7 +237,7 @@ def camera_rays(clip_from_world, width, height):
     """
     sides = np.maximum([[height], [width]], 1.0)  # 1 where there are no pixels
     y, x = (np.indices((height, width)).reshape(2, -1) + 0.5) * (2 / sides) - 1
-    ends = np.array([[x, y, 0 * x + depth, 1 + 0 * x] for depth in (-1, 1)]).swapaxes(1, 2)
+    ends = np.stack(np.broadcast_arrays(x, y, [[-1], [1]], 1), -1)  # in clip space: near, far
     near, far = (end[:, :3] / end[:, 3:] for end in ends @ np.linalg.inv(clip_from_world).T)
     return near, unit(far - near)
 
@@ -323,6 +323,7 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.6 (6 poi
     weights, remaining = ray_weights(density, spacing)
     along = np.einsum("rnc,rc->rn", colour, grad_output)  # the loss feels colours as these numbers
     # dw_i = T_(i+1) d(sigma_i delta_i), and all that is behind i shrinks by d(sigma_i delta_i).
+    # That is the sum of what is seen from i + 1 on, the background last: added up from the far end.
     seen = np.concatenate([weights * along, (remaining * (grad_output @ background))[:, None]], -1)
     behind = np.cumsum(seen[:, :0:-1], -1)[:, ::-1]
     passed = np.exp(-np.cumsum(density * spacing, -1))

@@ -131,7 +131,7 @@ def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.8 (6 point
     tetrahedra, case = tetrahedra[crossed], case[crossed]
     corners = [np.empty((0, 3, 2), int)]
     for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
+        triangles = tetrahedron_triangles((number >> np.arange(4)) & 1 == 1)
         corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
     edge = np.concatenate(corners) @ np.array([len(points), 1], np.int64)
     edge, faces = np.unique(edge, return_inverse=True)

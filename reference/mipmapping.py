@@ -309,7 +309,9 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter_mod
 
 
 def filtered(levels, footprint, sampler):
-    """The colours (..., C) that a Footprint sees of these levels, whoever made them."""
+    """The colours (..., C) that a Footprint sees of these levels, whoever made them: `places` says
+    where pixels look, `taps` which texels they mix, `look_up` mixes them, some pixels at a time.
+    """
     mipmap = pack(levels)
 
     def colours(*place):
@@ -328,7 +330,7 @@ def filtered_backward(grad_colour, levels, footprint, sampler):
     # `filtered` read upwards: the look-up, its taps, the level.
     index, weight, inside = look_ups(mipmap, footprint, sampler)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
-    grad_uv, grad_level = in_parts(lambda *point: taps_backward(*point, mipmap, sampler),
+    grad_uv, grad_level = in_parts(lambda *place: taps_backward(*place, mipmap, sampler),
                                    grad_weight, inside, *places(mipmap, footprint, sampler))
     grad_jacobian, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     return (unpack(grad_texels, mipmap), grad_uv.reshape(footprint.uv.shape), grad_jacobian,
@@ -337,7 +339,7 @@ def filtered_backward(grad_colour, levels, footprint, sampler):
 
 def look_ups(mipmap, footprint, sampler):
     """The `taps` of all N pixels of a Footprint: index, weight, inside (N, K)."""
-    return in_parts(lambda *point: taps(*point, mipmap, sampler),
+    return in_parts(lambda *place: taps(*place, mipmap, sampler),
                     *places(mipmap, footprint, sampler))
 
 

@@ -223,7 +223,7 @@ def render_views_backward(grad_pictures, buffers, shape, colours, views):
         gradients = renderer.render_backward(grad_fine, seen, shape, covering(colours), target.view)
         grad_level = carving_backward(1 / len(views), target, shape.faces, seen)
         found.append((gradients.positions, gradients.material.colours[:, :3], grad_level))
-    return tuple(map(sum, zip(*found, strict=True)))
+    return tuple(sum(of_all_views) for of_all_views in zip(*found, strict=True))
 
 
 def covering(colours):
@@ -280,7 +280,8 @@ def loss_and_gradients(x, targets, weights=WEIGHTS):
     """
     found = surface(x)
     if not len(found.faces):
-        raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
+        raise ValueError("a fit expects a surface, got distances that are nowhere below 0; check "
+                         "whether the cameras are right")
     pictures = np.stack([target.picture for target in targets])
     loss, grad_vertices, grad_albedo, grad_light, grad_level = views_loss_and_gradients(
         found.vertices, found.faces, found.albedo, x.light, targets, pictures, weights.coverage)
@@ -307,7 +308,7 @@ def learning_rates(stage):
     """A Scene of learning rates for each step of a Stage, as lab 9's `descend` takes them."""
     cell = 2 / stage.cells
     falling = [stage.rate * 3**-(step / stage.steps) for step in range(1, stage.steps + 1)]
-    return [Scene(*factor * np.array(RATES) * [cell, cell, 1, 1]) for factor in falling]
+    return [Scene(*(factor * np.array(RATES) * [cell, cell, 1, 1])) for factor in falling]
 
 
 def stochastic_gradient(targets, per_step, rng, weights):
@@ -331,7 +332,8 @@ def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=None, beg
     seed. renderer: what takes the place of the pipeline, see Target. begin: a Scene in the place of
     `start`.
     """
-    rng, x = np.random.default_rng(seed), begin
+    rng = np.random.default_rng(seed)
+    x = begin
     for stage in stages:
         x = start(stage.cells) if x is None else refine(x, stage.cells)
         targets = targets_of(capture, stage.shrink, stage.samples, renderer)

@@ -96,7 +96,7 @@ def face_inverse(triangles):  # step 10.1
     rows = [np.stack([y[..., i] - y[..., j], x[..., j] - x[..., i],
                       x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1) for i, j in EDGES]
     double_area = rows[0][..., 2] + rows[1][..., 2] + rows[2][..., 2]
-    return (np.stack(rows, -2) + 0.0) / double_area[..., None, None]
+    return (np.stack(rows, -2) + 0.0) / double_area[..., None, None]  # + 0.0 makes -0.0 to 0.0
 
 
 def face_inverse_backward(grad_inverse, inverse):

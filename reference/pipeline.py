@@ -10,7 +10,8 @@ comes along two paths: through the colours inside of faces (lab 7, and with a te
 it), and through the edges between pixels (lab 8). A face of one colour has only the second path.
 
 Where numba is installed, the functions below that are marked `has_kernels` never run: those of the
-same names in course/fast/compiled_pipeline.py take their place, and return the same to the bit.
+same names in course/fast/compiled_pipeline.py take their place. They return the same, pictures to
+the bit and gradients to rounding.
 
 Source: Laine et al. 2020 (nvdiffrast).
 """
@@ -239,11 +240,8 @@ def coloured_backward(grad_colour, buffers, faces, material):
     """
     grad_colours, grad_barycentric = interpolation.interpolate_backward(
         grad_colour, material.colours, faces, buffers.face_index, buffers.barycentric)
-    # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
-    # 0 is taken from the others first, and then from itself.
-    for corner in 2, 1, 0:
-        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
-    return Colours(grad_colours), grad_barycentric, None
+    # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0.
+    return Colours(grad_colours), grad_barycentric - grad_barycentric[..., :1], None
 
 
 @has_kernels("compiled_pipeline")
@@ -277,17 +275,17 @@ def textured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Texture of gradients, grad_barycentric (H, W, 3),
     grad_derivatives (H, W, 3, 2).
     """
-    seen = buffers.face_index >= 0
+    is_seen = buffers.face_index >= 0
     derivatives = interpolation.barycentrics_derivatives(buffers.face_index, buffers.clip, faces)
     at, footprint = footprints(material.uv, material.uv_faces, buffers, derivatives)
     grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
-        grad_colour[seen], material.image, at, footprint, filter_mode=material.filter_mode)
+        grad_colour[is_seen], material.image, at, footprint, filter_mode=material.filter_mode)
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
     uv_at = material.uv, material.uv_faces, buffers.face_index
     by_place, grad_barycentric = interpolation.interpolate_backward(
-        masked_scatter(grad_at, seen), *uv_at, buffers.barycentric)
+        masked_scatter(grad_at, is_seen), *uv_at, buffers.barycentric)
     by_change, grad_derivatives = interpolation.interpolate_derivatives_backward(
-        masked_scatter(grad_footprint, seen), *uv_at, derivatives)
+        masked_scatter(grad_footprint, is_seen), *uv_at, derivatives)
     grad_texture = Texture(by_place + by_change, None, grad_image, None)
     return grad_texture, grad_barycentric, grad_derivatives
 

@@ -186,8 +186,8 @@ def sign_changes(distance, edges):  # exercise 16.7 (3 points)
     Fine print. A distance of 0 has the sign +, as in lab 15, so that no edge has a third kind of
     end, and the slope of a small positive one. Large distances such as 1000 do not overflow.
     """
-    # The signs differ, so an end's own sign is not that of the other one: -s sign(other) = |s|. It
-    # pays log(1 + exp(|s|)), with the slope sign(s) / (1 + exp(-|s|)).
+    # The ends have different signs, so -s sign(other) = s sign(s) = |s|. Each end pays
+    # log(1 + exp(|s|)), with the slope sign(s) / (1 + exp(-|s|)).
     ends = edges[(distance[edges] < 0).sum(1) == 1].ravel()
     price = np.logaddexp(0, np.abs(distance[ends])).sum()
     slope = np.where(distance < 0, -1, 1) / (1 + np.exp(-np.abs(distance)))

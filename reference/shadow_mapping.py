@@ -158,10 +158,10 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # step 14.4
     # Parallel light: n . dq = 0 with dq = (du, 0, -dd), so dd/du = n_x / n_z.
     # A cone: q = d ray and ray = (u, v, -1), so dd (n . ray) + d n_x du = 0.
     across = normal[:, 0] * q[:, 0] + normal[:, 1] * q[:, 1]
-    along = across * -clip_from_light[3, 2] / w - normal[:, 2]
-    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
-    slope_x = -w * normal[:, 0] / along * (2 / (clip_from_light[0, 0] * width))
-    slope_y = -w * normal[:, 1] / along * (2 / (clip_from_light[1, 1] * height))
+    n_ray = across * -clip_from_light[3, 2] / w - normal[:, 2]
+    n_ray = np.where(np.abs(n_ray) < GRAZING, np.where(n_ray < 0, -GRAZING, GRAZING), n_ray)
+    slope_x = -w * normal[:, 0] / n_ray * (2 / (clip_from_light[0, 0] * width))
+    slope_y = -w * normal[:, 1] / n_ray * (2 / (clip_from_light[1, 1] * height))
     return np.stack([slope_x, slope_y]).T
 
 
@@ -234,7 +234,7 @@ def before_light(points, light):
 
 
 def require_side(function, side, least):
-    """ValueError, in one sentence, unless side is a whole number of at least least."""
+    """ValueError, in one sentence, unless side is a whole number, not below least."""
     if not (isinstance(side, numbers.Integral) and side >= least):
         raise ValueError(f"{function} expects a whole number of rows and columns, at least "
                          f"{least}, got {side!r}; give one such as 256")

@@ -104,8 +104,10 @@ def boundary_planes(vertices, faces):  # extra 12.5 (3 points)
     edges, face_edges = mesh.edges(faces)
     lonely = np.bincount(face_edges.ravel(), minlength=len(edges)) == 1
     face, corner = np.nonzero(lonely[face_edges])
-    face, corner = np.stack([face, corner])[:, np.argsort(face_edges[face, corner])]
-    # From a to b, in the direction of the face, outside is on the right.
+    order = np.argsort(face_edges[face, corner])
+    face, corner = face[order], corner[order]
+    # From a to b, in the direction of the face, outside is on the right. These are the next two
+    # corners: an index of -1 or -2 counts from the end.
     a, b = vertices[faces[face, corner - 2]], vertices[faces[face, corner - 1]]
     n = np.cross(b - a, mesh.face_normals(vertices, faces)[face])
     length = np.linalg.norm(n, axis=1, keepdims=True)  # |b - a|; 0 for a face without area
@@ -143,7 +145,7 @@ def mesh_quadrics(vertices, faces):
 
 
 def point_quadrics(points):
-    """The squared distances to points (N, 3), by three planes through each: (N, 4, 4)."""
+    """Q of the squared distances to points (N, 3), by three planes through each: (N, 4, 4)."""
     normals = np.broadcast_to(np.eye(3), (len(points), 3, 3))
     return plane_quadrics(np.concatenate([normals, -points[:, :, None]], 2)).sum(1)
 
@@ -204,7 +206,7 @@ def best_anywhere(q):  # step 12.6
 
 
 def pair_costs(vertices, quadrics, pairs):  # exercise 12.7 (3 points)
-    """Eq. (4): where does each pair go, and at what cost? -> places (N, 3), costs (N,)
+    """Eq. (4): where does each pair go, and at what cost? -> positions (N, 3), costs (N,)
 
     vertices (V, 3), quadrics (V, 4, 4), pairs (N, 2). Eq. (5) is used where the least eigenvalue of
     A (`np.linalg.eigvalsh`) is greater than LEAST_CURVATURE times the greatest, else (6) where it
@@ -217,8 +219,8 @@ def pair_costs(vertices, quadrics, pairs):  # exercise 12.7 (3 points)
     """
     a, b = pairs.T
     q = quadrics[a] + quadrics[b]
-    spread = np.linalg.eigvalsh(q[:, :3, :3])
-    curved = spread[:, 0] > LEAST_CURVATURE * spread[:, 2]
+    eigenvalues = np.linalg.eigvalsh(q[:, :3, :3])
+    curved = eigenvalues[:, 0] > LEAST_CURVATURE * eigenvalues[:, 2]
     positions = np.empty((len(pairs), 3))
     positions[curved] = best_anywhere(q[curved])
     if not curved.all():

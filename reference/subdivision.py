@@ -201,10 +201,10 @@ def topology(corners, counts, vertex_count):
     """The edges (E, 2), corner_edge (C,) and is_boundary (E,) of a sound mesh.
 
     corners (C,), counts (F,), vertex_count: all vertices, also unused ones. ValueError for any
-    other mesh. In a sound mesh at most two faces meet at an edge, and one fan of
-    faces at a vertex. There may be unused vertices, several vertices in one place, faces without
-    area, and any number of boundaries and handles. Faces may be wound either way, because no rule
-    depends on it. One face twice, and nothing else, is sound as well: a closed pillow.
+    other mesh. In a sound mesh at most two faces meet at an edge, and one fan of faces at a vertex.
+    There may be unused vertices, several vertices in one place, faces without area, and any number
+    of boundaries and handles. Faces may be wound either way, because no rule depends on it. One
+    face twice, and nothing else, is sound as well: a closed pillow.
     """
     corners, counts = as_polygons(corners, counts)
     check_corners(corners, counts, vertex_count)

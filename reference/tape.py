@@ -227,7 +227,7 @@ def backward(steps, values, grad=1.0):  # extra 9.17 (4 points)
             pair = BY_NAME[name]
             parts = pair.backward(grads[place], *(values[k] for k in places))
             for argument, part in zip(pair.wrt, parts if isinstance(parts, tuple) else (parts,),
-                                      strict=False):
+                                      strict=True):
                 grads[places[argument]] = grads[places[argument]] + part
     return tuple(grads)
 
@@ -281,8 +281,8 @@ def render_and_back(mesh, material, view, grad_picture):
                      view._replace(clip_from_model=matrix))
     grad_positions, grad_matrix, *grad_parts = gradients(
         picture, [positions, matrix, *parts], grad_picture)
-    grad_material = type(material)(*[None] * len(material._fields))._replace(
-        **dict(zip(names, grad_parts, strict=True)))
+    grads = dict(zip(names, grad_parts, strict=True))
+    grad_material = type(material)(*(grads.get(name) for name in material._fields))
     return picture.value, pipeline.Gradients(grad_positions, grad_material, grad_matrix)
 
 
@@ -319,7 +319,7 @@ BY_NAME = {
     "interpolate_derivatives": Pair(
         interpolation.interpolate_derivatives,
         interpolation.interpolate_derivatives_backward, (0, 3)),
-    "texture": Pair(mipmapping.texture, mipmapping.texture_backward, (0, 1, 2)),
+    "texture": Pair(mipmapping.texture, mipmapping.texture_backward, (0, 1, 2, 3)),
     "points": Pair(intersections.points, intersections.points_backward, (2,)),
     "blend_pairs": Pair(blend, blend_backward, (0, 2)),
     "squared_error": Pair(

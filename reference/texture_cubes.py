@@ -79,7 +79,7 @@ def cube_taps(weight, depth, z, size):  # extra 10.4 (3 points)
     tap = np.ones((len(t), 8))
     for n in range(8):
         for k in range(3):
-            upper = n >> k & 1
+            upper = (n >> k) & 1
             index[:, n] = index[:, n] * size + low[:, k] + upper
             tap[:, n] *= t[:, k] - low[:, k] if upper else 1 - (t[:, k] - low[:, k])
     return index, tap
@@ -103,9 +103,9 @@ def cube_taps_backward(grad_tap, weight, depth, z, size):
     # Along axis k a tap is part_k or 1 - part_k: the others' product, with + or -.
     grad_t = np.zeros(t.shape)
     for n in range(8):
-        factor = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
+        factor = [part[:, k] if (n >> k) & 1 else 1 - part[:, k] for k in range(3)]
         for k, (i, j) in enumerate(EDGES):
-            sign = 1 if n >> k & 1 else -1
+            sign = 1 if (n >> k) & 1 else -1
             grad_t[:, k] += sign * grad_tap[:, n] * factor[i] * factor[j]
     grad_weight = grad_t * scale * depth[:, None]
     return grad_weight, (grad_t * scale * weight).sum(1), -grad_weight * weight / z
@@ -215,7 +215,8 @@ def face_light_backward(grad_light, corners, ambient, directional, towards):
     normal = area / length
     cosine = (normal @ towards)[:, None]
     grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
-    # n = N / |N|, N = (b - a) x (c - a): G . (db x (c - a) + (b - a) x dc), turned round.
+    # n = N / |N|, so d(n . l) = (l - (n . l) n) . dN / |N|. N = (b - a) x (c - a), so G . dN is
+    # db . ((c - a) x G) + dc . (G x (b - a)), and da takes away what both get.
     grad_area = grad_cosine * (towards - cosine * normal) / length
     grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
     grad_corners = np.stack([-grad_b - grad_c, grad_b, grad_c], 1)

@@ -179,7 +179,7 @@ def look_up_matrix(texel_count, index, weight):
 
 def in_parts(function, *arrays):
     """function(*arrays) -> an array, or several, (N, ...): for the rows of `in_chunks` in turn."""
-    chunks = list(zip(*map(in_chunks, arrays), strict=True)) or [arrays]
+    chunks = list(zip(*map(in_chunks, arrays), strict=True)) or [arrays]  # of no rows, for shapes
     parts = [function(*chunk) for chunk in chunks]
     if isinstance(parts[0], tuple):
         return tuple(np.concatenate(part) for part in zip(*parts, strict=True))

@@ -22,8 +22,8 @@ EDGES = [(1, 2), (2, 0), (0, 1)]  # edge k of a face joins the two corners other
 def screen_points(positions, camera, size):
     """(Lab 1) Points (V, 3) -> x, y in pixels, depth, w (V,).
 
-    The camera is a matrix (4, 4). It makes w the distance from itself. What is twice as far away
-    looks half as large: so X and Y are divided by w. The picture reaches from -1 to 1 in both.
+    The camera is a matrix (4, 4). It makes w how far in front of it a point lies. What is twice as
+    far looks half as large: so X and Y are divided by w. The picture reaches from -1 to 1 in both.
     """
     X, Y, Z, w = camera[:, :3] @ positions.T + camera[:, 3:]
     return (X / w + 1) * size / 2, (Y / w + 1) * size / 2, Z / w, w
@@ -104,8 +104,8 @@ def outlines(faces, area):
 def row_pairs(x, y, faces, outline, seen, nearest, number):
     """(Lab 8) Neighbours in a row that see different faces, with an outline between their centres.
 
-    The line y = row + 0.5 runs through both centres. From the nearer face's pixel on, it leaves
-    that face by the last edge that it meets. This one must be the outline.
+    The line y = row + 0.5 through both centres leaves the nearer face by the last edge that it
+    meets: the outline. -> both pixels, alpha (P,), its ends, their shares (2, P), its slope (P,).
     """
     row, column = np.nonzero(seen[:, :-1] != seen[:, 1:])  # of the left pixel
     is_left = nearest[row, column] < nearest[row, column + 1]  # is the left face the nearer one?

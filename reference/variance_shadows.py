@@ -14,7 +14,6 @@ receive the shadow, and by (10) all that the map shows. The fit finds the light 
 
 Source: Donnelly and Lauritzen 2006 (8), (9).
 """
-import functools
 import numbers
 from typing import NamedTuple
 
@@ -233,13 +232,13 @@ def variance_shadow(points, vertices, faces, light, settings):
     the map are lit. ValueError for what does not fit.
     """
     require_settings(settings)
-    size, *filtered = settings
+    size, radius, least_variance = settings
     distance_map = closed_map(vertices, faces, light, size)
     moments = moments_of(distance_map)
     q = shadow_mapping.before_light(points, light)
     place = shadow_mapping.map_position(q, light.clip_from_light, size, size)
     uv = np.ascontiguousarray(place) / size
-    lit = lit_by_moments(moments, uv, -q[:, 2], *filtered)
+    lit = lit_by_moments(moments, uv, -q[:, 2], radius, least_variance)
     return lit, ShadowBuffers(distance_map, moments, q, uv)
 
 
@@ -254,10 +253,10 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     """
     # Two ways from q to the shadow, read upwards: the receivers' places and distances (9), (2), and
     # the moments of the map (10). When the light moves, all points of its frame move the other way.
-    size, *filtered = settings
+    size, radius, least_variance = settings
     distance_map, moments, q, uv = buffers
     grad_moments, grad_uv, grad_distance = lit_by_moments_backward(
-        grad_lit, moments, uv, -q[:, 2], *filtered)
+        grad_lit, moments, uv, -q[:, 2], radius, least_variance)
     grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
                                                   size)
     grad_q[:, 2] -= grad_distance
@@ -310,17 +309,16 @@ def fit_position(target, points, vertices, faces, guess, settings, schedule):
     falls as the rate does. The light looks at the scene anew in each step. Found from within about
     20 % of the scene's size and a light well above the ground. From farther it may end elsewhere.
     """
-    radii = iter([round(settings.radius * rate / schedule[0]) for rate in schedule])
-
-    def gradient(position):
-        light = lights.point_light(position, vertices)
-        return position_loss(target, points, vertices, faces, light,
-                             settings._replace(radius=next(radii)))
-
-    start = lights.point_light(guess, vertices).position
-    update = functools.partial(step_in_light, vertices=vertices)
-    path = inverse_rendering.descend(start, gradient, schedule, update)
-    return np.array([start, *(position for position, _ in path)])
+    path = [lights.point_light(guess, vertices).position]
+    mean = square = np.zeros(3)
+    for step, rate in enumerate(schedule, 1):
+        light = lights.point_light(path[-1], vertices)
+        blurred = settings._replace(radius=round(settings.radius * rate / schedule[0]))
+        _, grad_position = position_loss(target, points, vertices, faces, light, blurred)
+        position, mean, square = step_in_light(path[-1], grad_position, mean, square, step, rate,
+                                               vertices)
+        path.append(position)
+    return np.array(path)
 
 
 def require_settings(settings):

@@ -1,7 +1,7 @@
 """Diagnosis: why a pixel or a vertex has no position gradient, and where colours leave their range.
 
 Lab 8 blends a pair of pixels only if it passes every test below, in this order. The number of the
-first test that a pair fails, from 3 to 5, is its reason. Its gradient is not zero only at 6.
+first test that a pair fails, from 3 to 5, is its reason. A pair that fails none, 6, has a gradient.
 
     3   a walk between its centres finds an outline, or the surfaces meet there
     4   this line is steep
@@ -26,10 +26,9 @@ REASONS = ("not seen: hidden or outside", "no pair", "behind the camera", "the s
 
 def reasons(pairs):
     """How far does each pair of `outline_pairs` get? -> (N,)"""
-    failed = {NOT_STEEP: np.abs(pairs.y[1] - pairs.y[0]) < np.abs(pairs.x[1] - pairs.x[0]),
-              SATURATED: (pairs.c <= 0) | (pairs.c >= 1)
-                         | is_dropped(pairs.c, pairs.owner, pairs.other)}
-    return np.select(list(failed.values()), list(failed), HAS_GRADIENT)
+    is_flat = np.abs(pairs.y[1] - pairs.y[0]) < np.abs(pairs.x[1] - pairs.x[0])
+    is_still = (pairs.c <= 0) | (pairs.c >= 1) | is_dropped(pairs.c, pairs.owner, pairs.other)
+    return np.select([is_flat, is_still], [NOT_STEEP, SATURATED], HAS_GRADIENT)
 
 
 def why_zero(face_index, depth, clip, faces, opposite):
@@ -53,9 +52,11 @@ def why_zero(face_index, depth, clip, faces, opposite):
     met = meetings(all_pairs(face_index, depth, clip, faces, opposite), clip)
     corners, *_ = planes(met, 0.0, 0.0, clip, faces, face_index.shape)
     for pairs, vertices in (outlines, outlines.ends), (met, corners.reshape(6, -1)):
-        for place, at in (pixel, pairs.owner), (pixel, pairs.other), *(
-                (vertex, some) for some in vertices):
-            np.maximum.at(place, at, reasons(pairs))
+        reached = reasons(pairs)
+        np.maximum.at(pixel, pairs.owner, reached)
+        np.maximum.at(pixel, pairs.other, reached)
+        for end in vertices:
+            np.maximum.at(vertex, end, reached)
     vertex[(clip[:, 3] < 0) & (vertex < HAS_GRADIENT)] = BEHIND_THE_CAMERA
     return pixel.reshape(face_index.shape), vertex
 

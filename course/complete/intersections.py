@@ -38,10 +38,11 @@ def with_meetings(pairs, through, face_index, clip, faces, opposite):
     count, shape = len(through.owner), face_index.shape
     if count == 0:
         return pairs
-    owner, other, unknown = through.other, through.owner, np.zeros((2, count))
+    unknown, owner = np.zeros((2, count)), through.other  # the second walks went back to the owner
+    at_owner = Pairs(owner, through.owner, unknown[0], unknown, unknown, unknown,
+                     face_index.ravel()[owner], through.face)
     with np.errstate(all="ignore"):  # of faces without area
-        met = followed(Pairs(owner, other, unknown[0], *[unknown] * 3, face_index.ravel()[owner],
-                             through.face), clip, faces, opposite, shape)
+        met = followed(at_owner, clip, faces, opposite, shape)
         met = met._replace(ends=numbers(met, clip))
         met = brought(met, points(met, shape, clip, faces), shape)
         met = steep_pairs(some(met, (met.c > 0) & (met.c < 1)))
@@ -58,10 +59,12 @@ def followed(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
     face and edge are the faces at the owner's centre. The walk that is behind takes the next step.
     """
-    width, go, is_met = shape[1], np.arange(len(met.c)), np.zeros(len(met.c), bool)
-    mesh = screen_points(clip, width, shape[0]), faces, width
-    walks = [Pairs(*map(np.array, leave_faces(*met[:2], face, *mesh))) for face in met[6:]]
+    height, width = shape
+    mesh = screen_points(clip, width, height), faces, width
+    walks = [Pairs(*map(np.array, leave_faces(met.owner, met.other, face, *mesh)))
+             for face in (met.face, met.edge)]
     met = met._replace(face=walks[0].face, edge=walks[1].face)
+    go, is_met = np.arange(len(met.c)), np.zeros(len(met.c), bool)
     for _ in range(2 * len(faces)):  # no walk is longer
         if len(go) == 0:
             break
@@ -98,9 +101,10 @@ def planes(met, x, y, clip, faces, shape):
     screen_x, screen_y, w = (values.reshape(corners.shape) for values in screen)
     place_x, place_y = out_of_frame(met, x, y, width)
     screen_x, screen_y = screen_x - place_x, screen_y - place_y
-    z, minus = clip[:, 2][corners] / w, -np.ones(corners.shape)
-    e = np.cross(screen_x, screen_y, axis=0)  # edge functions. By e_x, e_y they change with place
-    e_x, e_y = np.cross(minus, screen_y, axis=0), np.cross(screen_x, minus, axis=0)
+    z = clip[:, 2][corners] / w
+    e = np.cross(screen_x, screen_y, axis=0)  # edge functions
+    e_x = np.roll(screen_y, -1, 0) - np.roll(screen_y, -2, 0)  # y_i - y_j: how they change with x
+    e_y = np.roll(screen_x, -2, 0) - np.roll(screen_x, -1, 0)
     area, slope = e.sum(0), np.stack([(e_x * z).sum(0), (e_y * z).sum(0)])
     return corners, (e * z).sum(0) / area, e / area, slope / area
 

@@ -1,7 +1,7 @@
 """Intrinsic decomposition: the colours of a surface, told apart into albedo and light.
 
     W c = C                                                colours c at vertices, C in pixels  (10)
-    c = albedo * E,   E = open(p) sum_k Y_k(n) l_k + lit(p) max(n . r, 0) / |r|^3 s + bounce(p) (11)
+    c = albedo * E,   E = open sum_k Y_k(n) l_k + lit max(n . r, 0) / |r|^3 s + own bounce      (11)
     neutral = sum of (l_k - mean l_k)^2, and of s alike    each mean is over the three colours (12)
     patches = mean of w t log(1 + |u_i - u_j| / t) / length,   u = log(albedo + 0.1) at an edge (13)
 
@@ -17,7 +17,6 @@ model is wrong by more. What is left free is one factor. We choose the mean albe
 Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13).
 """
 import functools
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -158,8 +157,7 @@ def shade_with_sun_backward(grad_colour, x, received):
 def add_sun(x):
     """An Appearance without a sun -> one where half of the light's first order comes from a sun."""
     # Of a sun in the direction d, eq. (2) makes l_1, l_2, l_3 = A_1 C1 (d_y, d_z, d_x) s.
-    y, z, x_axis = x.light[1:4].mean(1)
-    towards = np.array([x_axis, y, z])
+    towards = x.light[[3, 1, 2]].mean(1)
     length = np.linalg.norm(towards)
     towards = towards / length if length > 0 else np.array([0.0, 1.0, 0.0])
     strength = np.full(3, length / (2 * reconstruction.A[1] * reconstruction.C1))
@@ -200,6 +198,7 @@ def patches(albedo, edges, length, weight, border):
 
     albedo (V, 3), weight (E,). length is the mean of the edges'. So the number hardly depends on
     the mesh, and by the logarithm hardly on how bright all of the albedo is. border is t.
+    SMOOTH rounds off the corner that |u_i - u_j| has at 0.
     """
     u, v = np.log(albedo + DARK)[edges.T]
     step = np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)
@@ -293,8 +292,9 @@ def search_in_shadow(x, observed, priors, schedule):
         if step % REFRESH == 0:
             shadowed = in_shadow(observed, x)
         _, grad = loss_and_gradients(x, shadowed, priors)
-        moved = map(ADAM, x, grad, mean, square, itertools.repeat(step + 1), rate)
-        x, mean, square = itertools.starmap(Appearance, zip(*moved, strict=True))
+        fields = zip(x, grad, mean, square, rate, strict=True)
+        moved = [ADAM(a, g, m, s, step + 1, r) for a, g, m, s, r in fields]
+        x, mean, square = (Appearance(*arrays) for arrays in zip(*moved, strict=True))
         x = allowed(x, observed.share)
     return x
 
@@ -316,8 +316,8 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     rates = RATES if with_sun else NO_SUN
     blunt = priors._replace(patches=3 * priors.patches, border=BLUNT)
     alike = observed._replace(weight=np.ones(len(observed.edges)))
-    x = search(first_guess(observed), functools.partial(loss_and_gradients, observed=alike,
-                                                        priors=blunt), first * [NO_SUN], observed)
+    gradient = functools.partial(loss_and_gradients, observed=alike, priors=blunt)
+    x = search(first_guess(observed), gradient, first * [NO_SUN], observed)
     x = add_sun(x) if with_sun else x
     schedule = falling(rates, steps - first)[:-last]
     x = search_in_shadow(x, alike, blunt, schedule)

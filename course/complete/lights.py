@@ -14,7 +14,7 @@ NARROWEST = 1e-6         # of a map's width, where all vertices lie on the light
 
 
 def axes_of(toward):
-    """rotation (3, 3) of a light that looks along toward (3,). Up is y, or z beside it."""
+    """rotation (3, 3) of a light that looks along toward (3,). Up is y, or z for one along y."""
     up = np.eye(3)[1 if np.hypot(toward[0], toward[2]) > 1e-3 * abs(toward[1]) else 2]
     return transforms.look_at(np.zeros(3), toward, up)[:3, :3]
 

@@ -16,7 +16,7 @@ Sources: Williams 1978 (lit), Goral et al. 1984 (F_j).
 """
 import numpy as np
 
-from course.given import mesh
+from course.given import mesh, ray_casting
 
 from . import lights, shadow_mapping, soft_shadows
 
@@ -25,8 +25,7 @@ BIAS = 0.01      # of lab 14's eq. (5)
 AROUND = np.stack(np.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]), -1).reshape(-1, 2)
 FAR = 1e-3       # the least k of a lamp whose map is a cone
 SIZE = 0.1       # the radius of a lamp's disc, where its distance is 1
-TURN = np.pi * (3 - np.sqrt(5)) * np.arange(8)
-DISC = np.sqrt((np.arange(8) + 0.5) / 8) * np.stack([np.cos(TURN), np.sin(TURN)])
+DISC = ray_casting.disc_offsets(8)
 PIECES = 1000    # of a surface, which send light
 TOGETHER = 1000  # vertices at a time, so that little memory is needed
 
@@ -54,7 +53,7 @@ def facing_backward(grad_facing, towards, near, surface):
 
 def lit_share(surface, towards, near):
     """lit of eq. (11): which share of a lamp reaches each vertex? -> (V,), from 0 to 1."""
-    across = SIZE * DISC.T @ lights.axes_of(towards)[:2]
+    across = SIZE * DISC @ lights.axes_of(towards)[:2]
     return np.mean([lit_from(surface, towards + step, near) for step in across], 0)
 
 
@@ -96,8 +95,8 @@ def surroundings(surface, colours):
 
 def pieces(surface):
     """PIECES faces that stand for parts of equal area: their indices, and this area."""
-    area = np.linalg.norm(mesh.area_vectors(surface.vertices, surface.faces), axis=1).cumsum() / 2
-    return np.searchsorted(area, area[-1] * (np.arange(PIECES) + 0.5) / PIECES), area[-1] / PIECES
+    sums = np.linalg.norm(mesh.area_vectors(surface.vertices, surface.faces), axis=1).cumsum() / 2
+    return np.searchsorted(sums, sums[-1] * (np.arange(PIECES) + 0.5) / PIECES), sums[-1] / PIECES
 
 
 def form_factors(points, normals, centres, piece_normals, area):

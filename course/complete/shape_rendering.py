@@ -64,7 +64,7 @@ def render_volume(shape, view, lighting, near, far, beta=0.01, count=128):
     """
     origins, directions = camera_rays(view.clip_from_model, view.width, view.height)
     picture = np.empty((len(origins), 3))
-    parts = -(-len(origins) * count // SAMPLES)
+    parts = -(-len(origins) * count // SAMPLES)  # rounded up
     for rays in np.array_split(np.arange(len(origins)), max(parts, 1)):
         points, spacing = ray_samples(origins[rays], directions[rays], near, far, count)
         density = density_of(signed_distance(points, shape), beta)

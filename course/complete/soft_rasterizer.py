@@ -55,7 +55,7 @@ def nearest_on_border(point, triangles):
     """The point of a triangle's border that is nearest: point (N, 2), triangles (N, 3, 2), of
     either winding -> edge, t (N,), away (N, 2), sign (N,), as of Fragments.
     """
-    start, end = (triangles[:, list(ends)] for ends in zip(*EDGES, strict=True))
+    start, end = triangles[:, [1, 2, 0]], triangles[:, [2, 0, 1]]  # of edges 0, 1 and 2
     along = end - start
     from_start = point[:, None] - start
     length = (along**2).sum(2)

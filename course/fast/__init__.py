@@ -3,8 +3,9 @@
 What stands here decides nothing that a module of reference does not, and is tried against it: by
 tests, and scanline against what a student wrote (course/given/faster.py). These modules are
 imported as those of course/complete are, `from reference import face_kernels`, and take what they
-need from the package that asks. Where numba is installed, pipeline.py and mipmapping.py are
-replaced by compiled_pipeline and texel_kernels, to the bit (course/given/compiled.py).
+need from the package that asks. Where numba is installed, compiled_pipeline and texel_kernels
+replace pipeline.py and mipmapping.py, gradients to rounding and the rest to the bit
+(course/given/compiled.py).
 
     scanline           lab 2's rasterizer, whole rows at once, in NumPy
     sparse_weights     lab 5's interpolation as a product with one sparse matrix

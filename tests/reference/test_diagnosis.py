@@ -15,8 +15,7 @@ def test_why_zero_names_exactly_what_has_no_gradient(seed):
     pixel, vertex = diagnosis.why_zero(*arguments)
     grad_output = rng.normal(size=colour.shape)
     pairs = intersections.all_pairs(*arguments)
-    grad_clip = intersections.all_pairs_backward(
-        grad_output, colour, pairs, *arguments[2:4])[1]
+    _, grad_clip = intersections.all_pairs_backward(grad_output, colour, pairs, *arguments[2:4])
     np.testing.assert_array_equal(grad_clip.any(1), vertex == 6)
     owner, other, c, *_ = pairs
     live = (c > 0) & (c < 1)

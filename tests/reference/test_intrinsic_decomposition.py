@@ -41,8 +41,7 @@ def test_the_colours_that_pictures_show_are_found():
     surface, colours, targets = seen_ball(12)
     found, count = lab.seen_colours(surface, targets)
     assert np.abs(found - colours)[count > 1].max() < 0.02
-    inner = [lab.inner(target.picture).sum() for target in targets]
-    assert count.sum() == pytest.approx(sum(inner))
+    assert count.sum() == pytest.approx(sum(lab.inner(target.picture).sum() for target in targets))
 
 
 def test_what_no_pixel_sees_takes_the_colours_around():

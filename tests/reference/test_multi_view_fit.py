@@ -51,9 +51,8 @@ def test_gradients_follow_the_loss(which, h, samples):
     used = slice(None) if which == "light" else np.unique(multi_view_fit.surface(x).ends)
     direction = np.zeros(part.shape)
     direction[used] = np.random.default_rng(3).normal(size=part[used].shape)
-    require_follows(
-        lambda x: multi_view_fit.loss_and_gradients(x, targets, weights(coverage=1.0)),
-        x, which, direction, h)
+    require_follows(lambda x: multi_view_fit.loss_and_gradients(x, targets, weights(coverage=1.0)),
+                    x, which, direction, h)
 
 
 def test_sign_changes_count_in_cells():

@@ -1,4 +1,4 @@
-"""The light that a surface receives: equations (14) and (15), from a lamp and from itself."""
+"""The light that a surface receives, of equation (11): from a lamp and from itself."""
 import numpy as np
 from found_objects import surface_of
 
