@@ -9,10 +9,6 @@ import sys
 import webbrowser
 from pathlib import Path
 
-import pytest
-from rich.console import Console
-from rich.table import Table
-
 from . import exercises, places, verdicts
 from .checks import page
 from .checks.loader import folder
@@ -35,6 +31,7 @@ def check(target: str | None = None, implementation: str = "labs", seed: int = 0
     -> 0 if all that was asked for is done, and nothing of it would be lost in grading, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
+    from rich.console import Console  # the web site's pages have none
     found = verdicts.run(target, implementation, seed, extra)
     Console(force_jupyter=False).print(table(found.asked))
     print(*below(found, target, implementation, seed), sep="\n")
@@ -61,27 +58,14 @@ def show(target: str | None = None, implementation: str = "labs") -> None:
     """The board of `check`, in a notebook; in a process of its own, so that labs are read anew."""
     command = [sys.executable, "-m", NAME, "check", *filter(None, [target])]
     plain = {**os.environ, "FORCE_COLOR": "", "COLUMNS": "80", "PYTHONIOENCODING": "utf-8"}
-    try:
-        board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
-    except OSError:  # a browser starts no processes
-        return show_here(target, implementation, plain)
+    board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
     print(board.stdout)
-
-
-def show_here(target, implementation, plain):
-    """The board of `check`, made in this process, with other environment variables."""
-    with contextlib.chdir(places.ROOT), pytest.MonkeyPatch.context() as environment:
-        for name, value in plain.items():
-            environment.setenv(name, value)
-        try:
-            check(target, implementation)
-        except ValueError as error:
-            print(f"{NAME}: {error}")
 
 
 def table(board):
     """The exercises on the board, lab by lab. A file that is not the lecture's own has a row."""
+    from rich.table import Table
     rows, topic = Table.grid(padding=(0, 2)), None
     for entry in board:
         number = exercises.lab_number(entry.topic)

@@ -1,12 +1,11 @@
 """Runs the checks of some exercises in this process, and keeps what became of each."""
 import contextlib
+import functools
 import io
 import sys
 from collections.abc import Iterable
 
 import pytest
-from rich.console import Console
-from rich.progress import Progress
 
 from .. import places
 from .hints import hint, is_sure
@@ -33,8 +32,8 @@ def run_checks(labs: dict, numbers: Iterable[str], implementation: str, seed: in
                "--capture=sys",  # of prints; a browser cannot capture files
                f"--impl={implementation}", f"--seed={seed}"]
     said = io.StringIO()
-    with progress_bar() as progress, undisturbed(said):
-        collector = Collector(numbers, labs, folder(implementation), progress)
+    with progress_bar() as tell, undisturbed(said):
+        collector = Collector(numbers, labs, folder(implementation), tell)
         status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
         collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
@@ -42,10 +41,19 @@ def run_checks(labs: dict, numbers: Iterable[str], implementation: str, seed: in
     return [*explained(found)], collector.problems
 
 
+@contextlib.contextmanager
 def progress_bar():
-    """A bar on a terminal. Elsewhere there is none."""
-    return Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                    redirect_stdout=False, redirect_stderr=False, disable=not sys.stderr.isatty())
+    """What is told of the checks, see rich's Progress.update, is a bar on a terminal. Elsewhere
+    there is none.
+    """
+    if not sys.stderr.isatty():
+        yield lambda **_: None
+        return
+    from rich.console import Console  # the web site's pages have none
+    from rich.progress import Progress
+    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                  redirect_stdout=False, redirect_stderr=False) as progress:
+        yield functools.partial(progress.update, progress.add_task("checks"), refresh=True)
 
 
 @contextlib.contextmanager
@@ -79,11 +87,11 @@ def explained(found):
 class Collector:
     """A pytest plugin: runs the checks of these exercises alone, and keeps what became of them."""
 
-    def __init__(self, numbers, labs, code, progress):
+    def __init__(self, numbers, labs, code, tell):
         self.numbers = numbers
         self.known = {exercise.number for lab in labs.values() for exercise in lab}
         self.code = code
-        self.progress = progress
+        self.tell = tell
         self.planned = {}   # nodeid -> the Check of one that did not run
         self.found = {}     # nodeid -> Check
         self.problems = []  # sentences
@@ -104,14 +112,14 @@ class Collector:
         self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "not run", "",
                                            None, 0.0, is_fine_print(mark), drawn=is_drawn(item))
                         for item, mark in asked}
-        self.task = self.progress.add_task("checks", total=len(items))
+        self.tell(total=len(items))
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtest_protocol(self, item):
         """Pass over what is left of an exercise of which a call took too long."""
         self.running = item.nodeid
         exercise = self.planned[item.nodeid].exercise
-        self.progress.update(self.task, description=f"checks {exercise}", refresh=True)
+        self.tell(description=f"checks {exercise}")
         return exercise in self.stopped or None
 
     def pytest_exception_interact(self, node, call):
@@ -124,8 +132,7 @@ class Collector:
             self.found[report.nodeid] = Check(**report.check)
 
     def pytest_runtest_logfinish(self):
-        self.progress.advance(self.task)
-        self.progress.refresh()
+        self.tell(advance=1)
 
     def pytest_keyboard_interrupt(self, excinfo):
         """Say in which line the code under test was: there may be a loop without an end."""

@@ -9,6 +9,7 @@ import time
 import graded
 import pytest
 from made_up import SPOILT, check_text, exercise_text
+from rich.console import Console
 
 from labkit import board, exercises, places
 
@@ -296,7 +297,6 @@ def test_a_notebook_s_board_comes_from_a_process_of_its_own(course, monkeypatch,
     """It is of other labs or exercises, in codes of colours, or what went wrong is not in it."""
     monkeypatch.setattr(places, "ROOT", course)
     monkeypatch.setenv("FORCE_COLOR", "1")
-    monkeypatch.delattr(board, "show_here")
     board.show("1.2", "reference")
     assert lines(capsys.readouterr().out)[:4] == [
         "Lab 1  transforms  3 of 3  ####################",
@@ -309,7 +309,7 @@ def test_every_row_of_the_course_fits_into_80_columns():
     """A long name is cut off."""
     entries = [graded.entry(exercise, "blocked by 16.16", topic=topic)
                for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)]
-    console = board.Console(width=80, file=io.StringIO(), force_terminal=False)
+    console = Console(width=80, file=io.StringIO(), force_terminal=False)
     console.print(board.table(entries))
     rows = console.file.getvalue().splitlines()
     assert [row.split()[1] for row in rows if row.split()[0][0].isdigit()] == [

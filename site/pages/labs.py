@@ -93,26 +93,27 @@ def overview(course, asked):
 def question(course, name, drawings):
     """An exercise: its mark, its signature, constants, its docstring, and links."""
     exercise, (module, node) = course.exercises[name], course.module_and_node(name)
+    drawn = drawings.get((module.topic, node.name), "")
     marks = f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
-    for line in f"{node.name}({ast.unparse(node.args)})", *constants(course, module, node):
-        marks += f'<pre class="signature"><code>{html.escape(line)}</code></pre>'
+    for text in f"{node.name}({ast.unparse(node.args)})", *constants(course, module, node):
+        long = ' lines" tabindex="0' * ("\n" in text)
+        marks += f'<pre class="signature{long}"><code>{html.escape(text)}</code></pre>'
     return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       as_myst(docstring(course, module, node), "{eval-rst}"),
-                      as_myst(practice.place(exercise, module.topic,
-                                             drawings.get((module.topic, node.name), ""))),
-                      as_myst(read_on(course, name))])
+                      as_myst(practice.place(exercise, module.topic, drawn)),
+                      as_myst(read_on(course, name, bool(drawn)))])
 
 
 def constants(course, module, node):
-    """The lines of code that define what a question names in capitals, but for long tables."""
+    """The code that defines what a question names in capitals."""
     names = re.findall(r"\b[A-Z_]{3,}\b", ast.get_docstring(node)) or ["none"]
-    line = rf"^(?=[A-Z_, ]*\b(?:{'|'.join(names)})\b)[A-Z_, ]+ = [^\[{{\n]+$"
+    line = rf"^(?=[A-Z_, ]*\b(?:{'|'.join(names)})\b)[A-Z_, ]+ = .+(?:\n[ \])}}].*)*$"
     return re.findall(line, module.text + course.modules["course.given.arrays"].text, re.M)
 
 
-def read_on(course, name):
-    """Links: where the lecture asks it, its answer, and what the answer calls."""
+def read_on(course, name, is_drawn):
+    """Where the lecture asks it, its answer, what the answer calls, and the demos that it names."""
     exercise, (module, node) = course.exercises[name], course.module_and_node(name)
     page, heading = course.lectures[module.lab].announced[exercise.number]
     place = f"../lectures/{page}.html#{make_id(heading)}"
@@ -126,6 +127,9 @@ def read_on(course, name):
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'
             for full in called)))
+    for demo in re.findall("`(demo [^`]+)`", ast.get_docstring(node)):
+        items.append(("To see it", "the picture below your code, or, " * is_drawn
+                      + f"on your own computer, <code>python3 -m course {demo}</code>"))
     lines = "".join(f"<li>{words}: {links}</li>" for words, links in items)
     return f'<ul class="read-on">{lines}</ul>'
 

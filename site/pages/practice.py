@@ -22,12 +22,15 @@ from .sources_course import defined
 STATIC = places.ROOT / "site" / "static" / "practice"
 CDN = "https://cdn.jsdelivr.net/pyodide/v0.27.7/full/"
 OWN = "../python/"  # of a lab's page
-MEGABYTES = 17.1    # of Python, NumPy and the course, unpacked, as the worker sees them come
+MEGABYTES = 16.5    # of Python, NumPy and the course, unpacked, as the worker sees them come
 HIGH = 192          # of a picture, in pixels of the page
-PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "rich", "pygments"
-UNUSED = re.compile(r"(notebooks|apps|labkit/upkeep)/|labs/[^_]|.*\.(png|md|txt)$|"
-                    r"packaging/(licenses|metadata|pylock)|pygments/(lexers|styles|formatters)/"
-                    r"(?!(__init__|_mapping|diff|python|terminal|default)\.)")
+PACKAGES = "pytest", "pluggy", "iniconfig", "packaging", "pygments"
+UNUSED = re.compile(r"(notebooks|apps|tasks|labkit/upkeep|tests/golden)/|labs/[^_]|"
+                    r".*\.(png|md|txt)$|course/fast/(\w+_kernels|compiled_)|"
+                    r"packaging/(?!__init__|_struct|version)|pygments/(cmdline|sphinxext|"
+                    r"(lexers|styles|formatters)/"
+                    r"(?!(__init__|_mapping|diff|python|terminal|default)\.))")
+
 
 sys.path.append(str(STATIC))
 pictures = importlib.import_module("pictures")
@@ -38,6 +41,8 @@ def write(extra, python):
     folder with Pyodide, which is copied to extra/python, or None.
     """
     put(extra / "practice" / "course.tar.bz2", packed(files()))
+    for name in later():
+        put(extra / "practice" / name, (places.ROOT / name).read_bytes())
     for path in Path(python).iterdir() if python else ():
         put(extra / "python" / path.name, path.read_bytes())
     with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
@@ -66,12 +71,16 @@ def drawings(extra):
     return found
 
 
+def later():
+    """The names of the files that come when a check reads them: most labs need none."""
+    checks = "".join(path.read_text("utf-8") for path in places.ROOT.glob("tests/labs/*.py"))
+    return [f"tests/golden/{path.name}" for path in sorted(places.ROOT.glob("tests/golden/*.npz"))
+            if f'"{path.name}"' in checks]
+
+
 def files():
     """Yield (name, bytes) of what checks need: a hand-out's files, the page's own, packages."""
-    checks = "".join(path.read_text("utf-8") for path in places.ROOT.glob("tests/labs/*.py"))
-    for name, part in dict(handout.files(exercises.topics_of(None), [], extra=False)).items():
-        if not name.startswith("tests/golden/") or f'"{Path(name).name}"' in checks:
-            yield name, part
+    yield from dict(handout.files(exercises.topics_of(None), [], extra=False)).items()
     for path in STATIC.glob("*.py"):
         yield path.name, path.read_bytes()
     for name in PACKAGES:
@@ -112,7 +121,8 @@ def pair(name, file, height, width):
 
 def work(topics, python):
     """The HTML with which work is taken along and put in again, and what a page's scripts know."""
-    known = {"python": OWN if python else CDN, "megabytes": MEGABYTES,
+    known = {"python": OWN if python else CDN, "megabytes": MEGABYTES, "later": later(),
+             "pages": [exercises.lecture(own).stem for own, *_ in exercises.LABS],
              "labs": {topic: lab(topic) for topic in topics if topic in exercises.lab_topics()}}
     data = json.dumps(known).replace("<", "\\u003c")
     return ('<p class="my-work" hidden><button class="zip">My work as a zip</button> '

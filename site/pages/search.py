@@ -12,9 +12,9 @@ import re
 from docutils import nodes
 from sphinx import addnodes
 
-from . import put, sources_course
+from . import formulas, put, sources_course
 
-SKIPPED = (nodes.literal_block, nodes.doctest_block, nodes.math, nodes.math_block, nodes.image,
+SKIPPED = (nodes.literal_block, nodes.doctest_block, nodes.math_block, nodes.image,
            nodes.comment, nodes.title, nodes.term, addnodes.index, addnodes.toctree,
            addnodes.desc_signature)
 INLINE = re.compile(r"</?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>")
@@ -41,13 +41,14 @@ def write(app, fault):
         return
     found = [record for name in sorted(app.env.found_docs)
              for record in records(name, app.env.get_doctree(name))]
-    packed = gzip.compress(json.dumps(found, ensure_ascii=False).encode("utf-8"), mtime=0)
+    columns = json.dumps([*zip(*found, strict=True)], ensure_ascii=False, separators=(",", ":"))
+    packed = gzip.compress(columns.encode("utf-8"), mtime=0)
     put(app.outdir / "search_records.js",
         f'const PACKED_RECORDS = "{base64.b64encode(packed).decode()}";\n')
 
 
 def records(name, page):
-    """A page -> [address, title, place, text] of each of its parts. Code and formulas stay out."""
+    """A page -> [address, title, place, text] of each of its parts. Code and equations stay out."""
     parts = []
     gather(page, parts)
     folder, asked = name.rpartition("/")[0], sources_course.read().exercises
@@ -89,7 +90,8 @@ def gather(node, parts):
         if not isinstance(child, nodes.Text):
             gather(child, parts)
         elif parts:
-            parts[-1][2].append(seen(child) if isinstance(node, nodes.raw) else child.astext())
+            said = {nodes.raw: seen, nodes.math: formulas.in_letters}.get(type(node), str)
+            parts[-1][2].append(said(child.astext()))
     if parts and not isinstance(node, nodes.Inline):
         parts[-1][2].append(" ")
 

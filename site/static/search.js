@@ -6,7 +6,8 @@ const count = document.getElementById("found-count");
 async function unpack(packed) {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).json();
+  const columns = await new Response(stream).json();
+  return columns[0].map((_, k) => columns.map((column) => column[k]));
 }
 
 // A word begins where it is found: z-buffer is zbuffer and z_buffer, barycentric finds

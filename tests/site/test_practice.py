@@ -117,11 +117,14 @@ def test_from_the_front_page_to_an_exercise_that_is_right(desk, address):
 
 
 def test_a_later_labs_picture_is_drawn_by_the_readers_labs(desks, address):
-    """Exercises after lab 5 have no picture, or it is the reference's whatever the reader wrote."""
+    """Exercises after lab 5 have no picture, or it is the reference's whatever the reader wrote; or
+    the numbers of a check do not come when it reads them.
+    """
     page = desks().new_page()
     for topic in "transforms", "rasterization", "interpolation", "vertex_gradients":
         text = json.dumps(exercises.read(exercises.reference(topic)))
         page.add_init_script(f"localStorage['course: labs/{topic}.py'] ??= {text}")
+    checked(place(page, "interpolate", f"{address}/labs/05_interpolation.html"), "done")
     found = place(page, "fit_step", f"{address}/labs/07_vertex_gradients.html")
     checked(found, "done")
     expect(found.locator(".yours figcaption")).to_have_text("yours")
@@ -134,7 +137,9 @@ def test_a_later_labs_picture_is_drawn_by_the_readers_labs(desks, address):
 
 
 def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
-    """The check is not the course's own, or its report speaks of a terminal."""
+    """The check is not the course's own, or its report speaks of a terminal; or it names an
+    exercise that is to be done first, and does not lead there.
+    """
     found = place(desk.new_page(), "edge_function", f"{address}/{LAB_2}")
     write(found, "def edge_function(p, a, b):\n return ((b-a)[..., ::-1]*[-1, 1]*(p-a)).sum(-1)")
     report = checked(found, "done, fine print open")
@@ -146,16 +151,27 @@ def test_a_wrong_answer_is_told_what_is_wrong(desk, address):
     assert "again     Check, or Ctrl+Enter" in report and "python3" not in report
     write(found, answer("edge_function"))
     checked(found, "done")
+    waiting = place(found.page, "cover")
+    write(waiting, answer("cover"))
+    checked(waiting, "blocked by 2.3")
+    link = waiting.locator(".report a", has_text="2.3").first
+    expect(link).to_have_attribute("href", "02_rasterization.html#exercise-2-3")
 
 
 def test_a_loop_without_an_end_is_stopped_and_nothing_is_lost(desk, address):
-    """The page hangs, or a stop or a reload takes what was written."""
+    """The page hangs, or a stop or a reload takes what was written; or a check that takes long is
+    taken for Python that does not come.
+    """
     page = desk.new_page()
+    page.clock.install()
     found = place(page, "is_top_left", f"{address}/{LAB_2}")
+    checked(found, "not started")  # Python is there
     write(found, "def is_top_left(n_x, n_y):\n    while True:\n        pass")
     found.locator(".check").click()
     expect(found.locator("output")).to_have_text("checking", timeout=SOON)
+    page.clock.fast_forward(600_000)
     page.wait_for_timeout(3000)
+    expect(found.locator("output")).to_have_text("checking")
     found.locator(".stop").click()
     expect(found.locator("output")).to_have_text("stopped")
     page.reload()
@@ -205,19 +221,25 @@ def test_the_zip_is_graded_and_can_be_put_in_again(desk, desks, address, tmp_pat
     expect(place(other, "bounding_box")).to_contain_text("return 5")
 
 
-@pytest.mark.parametrize("says", ["this computer is offline", "too old", "no memory"])
+@pytest.mark.parametrize("says", ["this computer is offline", "too old", "no memory", "offline"])
 def test_where_python_does_not_come_a_sentence_says_so(says, desks, address):
-    """The page waits for ever, or shows a line of JavaScript."""
+    """The page waits for ever, as when nearly all has come, or shows a line of JavaScript."""
     page = desks().new_page()
     if says == "too old":
         page.add_init_script("delete window.Worker")
     elif says == "no memory":
         page.route("**/practice/worker.js", lambda route: route.fulfill(
             body="throw new RangeError('out of memory')", content_type="text/javascript"))
+    elif says == "offline":
+        page.clock.install()
+        page.route("**/course.tar.bz2", lambda route: None)  # the last tenth
     else:
         page.context.route(f"{CDN}**", lambda route: route.abort())
     found = place(page, "transform", f"{address}/{LAB_1}")
     found.locator(".check").click()
+    if says == "offline":
+        expect(found.locator("output")).to_contain_text("comes: 15.", timeout=SOON)
+        page.clock.fast_forward(46_000)
     expect(found.locator(".report")).to_contain_text(says, timeout=60_000)
     assert "python3 -m course check 1.1" in found.locator(".report").inner_text()
 

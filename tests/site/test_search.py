@@ -37,6 +37,9 @@ QUERIES = {
     "run in the browser": [r"index\.html#run-it-in-the-browser$"],
     "points for each exercise": [r"#term-points-of-an-exercise$", r"labs/index\.html$"],
     "my python is too old": [r"index\.html#if-your-python-is-too-old$"],
+    **dict.fromkeys(["why black", "black picture", "my picture is black"],
+                    (r"#term-black-picture$",)),
+    "nan": [r"#term-nan$"],
     "hand in": [r"index\.html#run-it-in-the-browser$", r"(instructors|first_week|grading)\.html"],
 }
 
@@ -86,7 +89,9 @@ def test_results_are_announced_and_reached_by_keyboard(page, address):
 
 
 def test_a_row_marks_whole_words_in_its_title_and_has_no_shapes(page, address):
-    """Half a word is yellow; a docstring is quoted as "where the line meets: c (...). (3)"."""
+    """Half a word is yellow; a docstring is quoted as "where the line meets: c (...). (3)", a
+    sentence without its formulas.
+    """
     page.goto(f"{address}/search.html?q=crossin")
     found(page, "crossin")
     marks = page.eval_on_selector_all("#found a mark", "all => all.map(one => one.textContent)")
@@ -96,6 +101,9 @@ def test_a_row_marks_whole_words_in_its_title_and_has_no_shapes(page, address):
     words = page.text_content("#found p")
     assert "Equation (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c." in words
     assert "..." not in words and "c. (3)" not in words
+    page.fill("#search input", "perspective divide")
+    found(page, "perspective divide")
+    assert "The division by w that makes what is far small." in page.text_content("#found p")
 
 
 def test_the_search_finds_from_disk_too(browser):

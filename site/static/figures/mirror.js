@@ -49,6 +49,10 @@ export function show(place) {
     return sheet.line([end(n / TEXELS), end((n + 1) / TEXELS)], `${style} wall-map`, faint(n));
   }
 
+  /** Beyond the arrow, but where the eye's ray is near: across this. */
+  const besides = ([right, down]) => (Math.abs(right) > 0.3 ? [14 * right, -14 * down - 5]
+    : [right < 0 ? 18 : -18, 2]);
+
   const faint = (n) => `stroke-opacity: ${n % 2 ? 0.4 : 1}; fill-opacity: ${n % 2 ? 0.4 : 1}`;
 
   function draw() {
@@ -58,7 +62,7 @@ export function show(place) {
     const wide = 2 * RADIUS / PIXELS;
     sheet.draw(
       FACES.flatMap((_, k) => Array.from({ length: TEXELS }, (__, m) => texel(k, m))),
-      FACES.map((one) => sheet.text(onSheet(one.out.map((t) => WALL * t)), one.name,
+      FACES.map((one) => sheet.text(onSheet(plus(one.right, one.out, WALL)), one.name,
                                     `label middle ${one.style}`, [-22 * one.out[0],
                                                                   20 * one.out[1] - 5])),
       Array.from({ length: PIXELS }, (_, k) => {
@@ -71,8 +75,9 @@ export function show(place) {
       sheet.arrow(hit, plus(hit, onSheet(n), 0.3), "pull point"),
       sheet.line([[0, 0], far], "ray"),
       sheet.arrow(hit, plus(hit, onSheet(r), 0.62), `pull ${style}`),
-      sheet.text(plus(hit, onSheet(n), 0.3), "n", "label", [-18, -4]),
-      sheet.text(plus(hit, onSheet(r), 0.62), "r", `label ${style}`, [6, 2]),
+      sheet.text(plus(hit, onSheet(n), 0.3), "n", "label middle", besides(n)),
+      sheet.text(plus(hit, onSheet(r), 0.62), "r", `label middle ${style}`,
+                 [r[0] < 0 ? -11 : 11, 2]),
       sheet.dot(far, 6, "sample point"));
     rule.innerHTML = `<i>r</i> = (${number(r[0], 2)}, ${number(r[1], 2)}): the largest <i>m</i> ` +
       `is that of ${name}, and <i>u</i> = <b>${number(u, 2)}</b>.`;

@@ -78,8 +78,8 @@ def check(number):
 
 def ways_on(entry, *_):
     """The last rows of a report, for who has a page and no terminal."""
-    yield "again", (f"write {entry.blocked_by} first, on its own lab's page" if entry.blocked_by
-                    else "Check, or Ctrl+Enter")
+    blocked = entry.blocked_by
+    yield "again", f"write {blocked} first" if blocked else "Check, or Ctrl+Enter"
     yield "read", f"the question of {entry.number}; its lecture is linked below it"
     if entry.verdict != "done":
         yield "stuck", "the answer is linked there, too"

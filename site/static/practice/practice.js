@@ -40,7 +40,14 @@ function practise(place) {
     row.dataset.verdict = place.dataset.verdict;
   }
 
-  const report = (text) => Object.assign(find(".report"), { textContent: text, hidden: !text });
+  /** A text, with links to the exercises that it names. */
+  function report(text) {
+    const parts = text.split(/(?<=blocked by |write |exercise |question of )(\d+\.\d+)\b/);
+    find(".report").hidden = !text;
+    find(".report").replaceChildren(...parts.map((part, k) => k % 2 === 0 ? part
+      : Object.assign(document.createElement("a"), { textContent: part, href:
+        `${about.pages[parseInt(part) - 1]}.html#exercise-${part.replace(".", "-")}` })));
+  }
 
   function progress(have, of, isThere) {
     if (isDrawn || (!waits && !place.contains(document.activeElement))) return;

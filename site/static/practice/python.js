@@ -1,6 +1,6 @@
 /** Python in a worker: it comes when it is first wanted, and can be stopped. */
-const PATIENCE = 45; // seconds in which nothing comes, before all is there
-let worker, heard, have, isThere, count = 0, tell = () => null;
+const PATIENCE = 45_000; // ms in which nothing comes of what is still to come
+let worker, heard, have, coming, count = 0, tell = () => null;
 const waiting = new Map(); // number of a question: how it ends
 
 const fault = (message, tells) => Object.assign(new Error(message), { tells });
@@ -18,11 +18,11 @@ export function begin(about) {
   } catch {
     return;
   }
-  [heard, have, isThere] = [Date.now(), 0, false];
+  [heard, have, coming] = [Date.now(), 0, 1];
   worker.onmessage = ({ data }) => {
     heard = Date.now();
     if (data.bytes) return tell((have += data.bytes / 1e6), about.megabytes);
-    isThere ||= Boolean(data.found);
+    if ("coming" in data) return coming = data.coming;
     const end = waiting.get(data.id);
     waiting.delete(data.id);
     if (data.found) end?.done(data.found);
@@ -32,12 +32,10 @@ export function begin(about) {
     event.preventDefault();
     lose(explained(event.message ?? "it does not start", about));
   };
-  const watch = setInterval(() => {
-    if (isThere || !worker) clearInterval(watch);
-    else if (waiting.size && have < 0.9 * about.megabytes && Date.now() - heard > 1000 * PATIENCE) {
-      lose(explained("nothing comes", about));
-    }
-  }, 1000);
+  const watch = setInterval((watched) => {
+    if (worker !== watched) clearInterval(watch);
+    else if (coming && Date.now() - heard > PATIENCE) lose(explained("nothing comes", about));
+  }, 1000, worker);
   ask(about, "ready", {}).then(() => tell(have, about.megabytes, true), () => null);
 }
 
@@ -48,7 +46,7 @@ export function ask(about, kind, files, ...rest) {
   return new Promise((done, failed) => {
     waiting.set(++count, { done, failed });
     const from = { python: new URL(about.python, location).href,
-      course: new URL("../../practice/course.tar.bz2", import.meta.url).href };
+      course: new URL("../../practice/course.tar.bz2", import.meta.url).href, later: about.later };
     worker.postMessage({ id: count, from, asked: [kind, JSON.stringify(files), ...rest] });
   });
 }
