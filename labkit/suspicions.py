@@ -57,8 +57,7 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
             *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
-            *in_a_part(got, expected, wrong, agrees, inputs),
-            *by_column(got, expected, agrees, inputs)] if is_numeric(got, expected) else []
+            *in_a_part(got, expected, wrong, agrees, inputs)] if is_numeric(got, expected) else []
     found += by_index(wrong, inputs, np.isfinite(got).all())
     found.sort(key=lambda sentence: ANYWHERE in sentence)
     enough = 2 if found and (found[0].startswith("float") or FLOORED in found[0]) else ENOUGH
@@ -289,16 +288,6 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         factor = part[0] / right[0]
         if holds(factor * right):
             yield f"it is {factor:.6g} times what was expected{place}{named(factor, inputs)}"
-
-
-def by_column(got, expected, agrees, inputs):
-    """Yield that each column of up to four that is wrong has a factor, or a summand, of its own."""
-    if got.ndim > 1 and got.shape[-1] <= 4 and got[..., 0].size > 2:
-        pairs = [(k, got[..., k], expected[..., k]) for k in range(got.shape[-1])]
-        told = [(k, next(scaled(came, right, agrees, inputs), None))
-                for k, came, right in pairs if not np.all(agrees(came, right))]
-        if all(sentence for _, sentence in told):
-            yield " and ".join(f"in [..., {k}] {sentence}" for k, sentence in told)
 
 
 def places(wrong, zero, inputs):

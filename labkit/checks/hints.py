@@ -244,9 +244,9 @@ def kernel(sentence):
 
 
 def is_sure(said):
-    """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
+    """Is a hint certain, and does it tell a cause? Zeros or a factor without a reason do not."""
     return "may be" not in said and not re.search(
-        rf"(what was|more than|less than) expected({PLACE})?$", said)
+        rf"zero everywhere$|(what was|more than|less than) expected({PLACE})?$", said)
 
 
 @functools.cache

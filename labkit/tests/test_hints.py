@@ -74,8 +74,6 @@ def told(assertion, got, expected, *inputs):
     (CORNER * [1, -1, 1], CORNER, "it may be that the sign is flipped in [..., 1]"),
     (SIX * [-1, 1, -1], SIX, "the sign is flipped in [..., 0] and [..., 2]"),
     (SIX * [1, 1, 0], SIX, "it is 0 everywhere in [..., 2]"),
-    (SIX * [1, 2, 3] + [7, 0, 0], SIX,
-     "in [..., 0] everything is 7 more than expected and in [..., 1] everything is 2 times"),
     (SIX < 3, SIX >= 3, "true and false are swapped"),
     (CORNER * [[1, 2, 1], [1, 1, 2]], CORNER,
      "it may be that it is 2 times what was expected in all that is wrong"),
@@ -169,12 +167,14 @@ def test_what_became_of_an_axis_is_told_by_the_shapes(came, expected, told):
 @pytest.mark.parametrize("shape", [(), (0,), (1,), (3,), (2, 3), (3, 3), (4, 1, 3)], ids=str)
 @pytest.mark.parametrize("kind", [bool, int, float, complex, "U1"])
 def test_any_numbers_can_be_looked_at(shape, kind):
-    """The report breaks off: complex numbers cannot be rounded, empty arrays have no largest."""
+    """The report breaks off: complex numbers cannot be rounded, empty arrays have no largest. Or a
+    part is compared by what knows the whole alone, as a gradient check's mask of what is seen.
+    """
     rng = np.random.default_rng(0)
     for other in (kind, float, int):
         got, expected = (rng.integers(0, 9, shape).astype(k) for k in (other, kind))
         index = np.array([0, -1, 2, 2])
-        suspicion(got, expected, lambda a, b: np.asarray(a == b),
+        suspicion(got, expected, lambda a, b: np.zeros(shape, bool) | np.asarray(a == b),
                   [("faces", index), ("x", got), ("name", "a"), ("none", None), ("ragged", RAGGED),
                    ("empty", np.zeros((0, 3))), ("no faces", np.zeros((0, 3), int))])
 
