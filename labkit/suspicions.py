@@ -18,9 +18,11 @@ TRUTHS = 4  # truth values say as much as one number
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
 HALF_DIGITS = 2e-3  # about that of float16, after a few sums
+COARSE = 64  # any kind of float has such fractions: that all are multiples of 1/64 is no rounding
+FLOORED = " // 2 stands for "  # as few sizes have such a factor, two numbers tell it
 ANYWHERE = " in all that is wrong"  # here and there, which may be chance
 COMMON_FACTORS = ((2, ", twice as much: a factor of 2 too many"),
-                  (0.5, ", half of it: a factor of 2 is missing"),
+                  (0.5, ", half of it: a factor of 2 is missing, or a mean of two is no sum"),
                   (1 / 3, ": a mean of three, not their sum, is a third of what was expected"),
                   (180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees"))
 
@@ -57,7 +59,9 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees, inputs)] if is_numeric(got, expected) else []
     found += by_index(wrong, inputs, np.isfinite(got).all())
-    sure = found and not found[0].endswith(("?", ANYWHERE)) and speaking >= ENOUGH
+    found.sort(key=lambda sentence: ANYWHERE in sentence)
+    enough = 2 if found and (found[0].startswith("float") or FLOORED in found[0]) else ENOUGH
+    sure = found and not (found[0].endswith("?") or ANYWHERE in found[0]) and speaking >= enough
     return Suspicion(found[0], sure) if found else None
 
 
@@ -117,6 +121,8 @@ def in_another_order(expected, along_axes):
     elif expected.ndim > 2:
         for axes in itertools.combinations(range(expected.ndim), 2):
             yield f"axes {axes[0]} and {axes[1]} are swapped", expected.swapaxes(*axes)
+    if along_axes and expected.ndim > 1 and expected.shape[-1] == 2:
+        yield "[..., 0] and [..., 1] are swapped", expected[..., ::-1]
     for axis in range(expected.ndim if along_axes else 0):
         yield f"the order along axis {axis} is reversed", np.flip(expected, axis)
         whole = range(expected.shape[axis])
@@ -129,6 +135,10 @@ def in_another_shape(got, expected):
     if got.size == expected.size and is_numeric(got, expected) and np.allclose(
             got.ravel(), expected.ravel(), 1e-9, equal_nan=True):
         yield "the numbers are right, the shape is not", got
+    part = expected[tuple(map(slice, got.shape))] if got.ndim == expected.ndim else expected
+    if part.shape == got.shape and got.size and is_numeric(got, expected) and np.allclose(
+            got, part, 1e-9, equal_nan=True):
+        yield f"the rest of it is missing: {got.shape} of {expected.shape}", got
     for axis in (None, *range(expected.ndim)) if is_numeric(got, expected) and got.any() else ():
         if np.shape(total := expected.sum(axis)) == got.shape and np.allclose(got, total, 1e-9):
             yield f"it is summed over {'all axes' if axis is None else f'axis {axis}, too'}", got
@@ -194,7 +204,11 @@ def named(factor, inputs):
         if np.isclose(factor, common, 1e-6):
             return words
     sizes = {name: value for name, value in inputs if not np.iterable(value)}
-    sizes |= {f"len({name})": len(value) for name, value in inputs if np.iterable(value)}
+    sizes |= {f"len({name})": len(value) for name, value in inputs
+              if np.iterable(value) and (len(value) > 4 or as_array(value).ndim > 1)}
+    for name, value in sizes.items():
+        if isinstance(value, int) and value % 2 and np.isclose(factor, 1 - 1 / value, 1e-9):
+            return f": {name}{FLOORED}{name} / 2"
     size = max(abs(factor), 1 / abs(factor))
     found = [f"{name}{part}" for name, value in sizes.items()
              if isinstance(value, int | float | np.number) and not isinstance(value, bool)
@@ -243,7 +257,8 @@ def imprecise(got, expected):
     single = np.complex64 if got.dtype.kind == "c" else np.float32
     half = [("float16", np.float16, HALF_DIGITS)] * (got.dtype.kind == "f")
     for name, kind, most in *half, ("float32", single, DIGITS):
-        if np.all(error < most) and np.all(got == kind(got)):
+        if np.all(error < most) and np.all(got == kind(got)) and np.any(
+                COARSE * got != np.rint(COARSE * got)):
             yield f"{name} is not precise enough; compute in float64"
     if np.all(error < DIGITS) and np.median(error) > 1e-11:
         yield ("it is right to seven digits or so: something is computed in float32, or as a "
@@ -308,9 +323,10 @@ def by_index(wrong, inputs, finite):
         none = index == -1
         if none.any() and not none.all() and wrong.shape[:index.ndim] == index.shape:
             at = wrong.reshape(*index.shape, -1).any(-1)
-            if at.any() and not (at & ~none).any():
-                yield (f"it is wrong only where {name} is -1, which means none; "
-                       "as an index, -1 takes the last")
+            for value, why in ((-1, "-1, which means none; as an index, -1 takes the last"),
+                               (0, "0: that is the first, and only -1 means none")):
+                if at.any() and not (at & (index != value)).any():
+                    yield f"it is wrong only where {name} is {why}"
         if wrong.ndim and 0 <= index.max() < len(wrong):
             rows = wrong.reshape(len(wrong), -1).any(-1)
             times = np.bincount(index[index >= 0], minlength=len(wrong))

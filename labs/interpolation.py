@@ -228,6 +228,7 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
 
     grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3), 0 where no face is
     seen. The given `scatter(values, index, count)` sums what comes to a vertex from all its pixels.
+    See `demo fit_triangle`.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

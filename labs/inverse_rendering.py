@@ -107,7 +107,8 @@ def quaternion_product(p, q):  # extra 9.9 (2 points)
 def quaternion_matrix(q):  # exercise 9.8 (2 points)
     """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
-    q may have any length but 0. `quaternion_product` or `cross_matrix` will help.
+    q may have any length but 0. `quaternion_product` or `cross_matrix` will help. See
+    `demo fit_triangle`.
 
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])

@@ -79,7 +79,8 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise
 
     face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
     the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, then to x and y. From there,
-    `add_to_vertices` adds to an array (4, V). See `demo taped`.
+    `add_to_vertices` adds to an array (4, V). See
+    `demo fit_triangle`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
     >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2

@@ -13,7 +13,7 @@
     floor              a floor to the horizon, a texture that finds its place
     reflections        what a mirror shows: directions, footprints, surroundings
     fit_vertices       a triangle finds its place from the colours inside of it
-    fit_triangle       a triangle finds its template by its edges alone
+    fit_triangle       a triangle finds its template by its edges alone, and turns in space
     fit_cube           a cube's shape and colours, from tiny pictures
     fit_pose           how a known cube is turned
     fit_texture        a globe's texture, with and without mipmaps

@@ -1,20 +1,24 @@
 """A triangle finds its template by the antialiased edges alone (lab 9).
 
 Units are pixels of a picture of SIDE x SIDE. The triangle's colour is 1, the background's is 0.
+Then it turns in space, on a way from t = 0 to 1: from grey to a colour for each corner.
 """
 from types import SimpleNamespace
 
 import numpy as np
 
 from .drawing import descended, enlarged, save
+from .viewing import clip_from_world
 
 SIDE = 64
 TEMPLATE = np.array([[50.0, 50.0], [10.0, 38.0], [38.0, 8.0]])
 START = np.array([[42.0, 58.0], [21.0, 22.0], [56.0, 26.0]])
+TURN, PAINT = np.array([-0.1, 0.3, -0.3, 0.1]), np.eye(3) - 0.5  # ways of quaternion, colours
+SLOPE = -0.018693  # how the loss changes along the way, halfway
 
 
 def fit_triangle(labs):
-    """A triangle moves to its template: with antialiasing alone (lab 9)."""
+    """A triangle moves to its template with antialiasing alone, and turns in space (lab 9)."""
     goal = template(labs)
     for name, antialiased in ("without", False), ("with", True):
         x, _, gradients = fit(labs, goal, antialiased)
@@ -26,6 +30,39 @@ def fit_triangle(labs):
         reached = [("0.1", off <= 0.1)] if antialiased else []
         yield (f"  {off:.3f} px off",
                save("fit_triangle", name, enlarged(over(labs, goal, x), 8)), *reached)
+    yield turned(labs)
+
+
+def turned(labs):
+    """The step of `fit_triangle` in which it turns, halfway: by its gradient, by two pictures."""
+    goal, *_ = seen_turned(labs, 1)
+    (ahead, _), (behind, _), (_, slope) = (loss_turned(labs, 0.5 + step, goal)
+                                           for step in (1e-6, -1e-6, 0))
+    slopes = slope, (ahead - behind) / 2e-6
+    pictures = np.hstack([seen_turned(labs, t)[0] for t in (0, 0.5, 1)]).clip(0, 1)
+    return ("turned in space: the gradient {:.6f}, by two pictures {:.6f}".format(*slopes),
+            save("fit_triangle", "turned", enlarged(pictures, 4)),
+            (f"both {SLOPE}", np.allclose(slopes, SLOPE, rtol=0, atol=1e-6)))
+
+
+def loss_turned(labs, t, goal):
+    """How far the triangle at t is from its goal, and how this changes with t."""
+    lab9, (picture, *given) = labs.inverse_rendering, seen_turned(labs, t)
+    loss, grad_picture = lab9.squared_error(picture, goal)
+    grads = labs.pipeline.render_backward(grad_picture, *given)
+    grad_pose = clip_from_world(labs, [0, 0, 2.5], aspect=1.25).T @ grads.clip_from_model
+    grad_turn = lab9.quaternion_matrix_backward(grad_pose, np.eye(4)[0] + t * TURN)
+    return loss, grad_turn @ TURN + (grads.material.colours * PAINT).sum()
+
+
+def seen_turned(labs, t):
+    """The triangle at t, in perspective: a picture, and what `render_backward` takes."""
+    draws, camera = labs.pipeline, clip_from_world(labs, [0, 0, 2.5], aspect=1.25)
+    pose = labs.inverse_rendering.quaternion_matrix(np.eye(4)[0] + t * TURN)
+    given = (draws.make_mesh(in_space(2 * TEMPLATE / SIDE - 1), np.array([[0, 1, 2]])),
+             draws.Colours(0.5 + t * PAINT), draws.View(camera @ pose, 80, SIDE, np.zeros(3)))
+    picture, buffers = draws.render(*given)
+    return picture, buffers, *given
 
 
 def fit(labs, goal, antialiased, steps=300):

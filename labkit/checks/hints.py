@@ -18,7 +18,7 @@ import numpy as np
 
 from ..contract import as_array
 from ..places import ROOT
-from ..suspicions import ENOUGH, TRUTHS, Suspicion, evidence, suspicion
+from ..suspicions import ANYWHERE, ENOUGH, TRUTHS, Suspicion, evidence, suspicion
 from .showing import arguments, shape_name
 
 HINTS = ROOT / "tests" / "labs" / "hints.json"
@@ -80,18 +80,21 @@ class Pattern(NamedTuple):
     """How a wrong answer does in the checks of an exercise.
 
     failed {check: the fingerprint of what it was returned, or None} of the question, and of the
-    fine print where the question is answered; numbers: so many were returned there.
+    fine print where the question is answered; numbers: so many were returned there. drawn: those
+    of the checks whose numbers are drawn at random.
     """
 
     failed: dict
     numbers: int
+    drawn: frozenset = frozenset()
 
 
 def pattern(checks):
     """The Pattern of checks that fail."""
     counted = [check for check in checks if not check.fine_print] or checks
     return Pattern({name(check.nodeid): check.mark for check in counted},
-                   sum(check.numbers for check in counted))
+                   sum(check.numbers for check in counted),
+                   frozenset(name(check.nodeid) for check in counted if check.drawn))
 
 
 def known_mistake(exercise, found):
@@ -125,23 +128,26 @@ def digest(failed):
 
 
 def in_part(exercise, found):
-    """"in output 2 this may be what comes out when ...", of one or two known mistakes, or None.
+    """"in output 2 this is what comes out when ...", of one or two known mistakes, or None.
 
     All checks that they fail are failed. What came is theirs in a part, wherever they spoil it. Of
-    columns, no other is wrong.
+    columns, no other is wrong. It "may be" theirs unless several checks say so, one of them with
+    numbers that are drawn.
     """
     named = {}
     for sentence, failed in known_mistakes().get(exercise, ()):
         if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
-            named.setdefault(places, []).append(sentence)
+            sure = len(failed) > 1 and failed.keys() & found.drawn and (
+                places != ("2", "checks"))
+            named.setdefault(places, []).append(
+                f"this {'is' if sure else 'may be'} what comes out when {sentence}")
     clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
     wrong = {part.partition(":")[0] for mark in found.failed.values()
              for part in (mark or "").split() if "." in part}
     if not wrong <= {*itertools.chain(*clear)}:
         clear = {places: said for places, said in clear.items() if "." not in places[0]}
     if 0 < len(clear) <= 2:
-        return "; ".join(f"{in_words(places, found)} this may be what comes out when {said}"
-                         for places, said in clear.items())
+        return "; ".join(f"{in_words(places, found)} {said}" for places, said in clear.items())
 
 
 def alike(known, found):
@@ -180,17 +186,34 @@ def hint(exercise, checks):
     """The hint that holds for all these Checks, those of an exercise that fail, or None.
 
     A known mistake explains all of them, or two do. A suspicion is certain of one, or else that of
-    several, and no other speaks against it. Where it tells no cause, mistakes explain a part.
+    several, and no other speaks against it. Where it tells no cause, mistakes explain a part, or a
+    suspicion one claim.
     """
     found = pattern(checks)
     if any("changed its input" in check.message for check in checks):
         return None  # which says it all
     if known := known_mistake(exercise, found):
         return known
-    said = [Suspicion(*check.suspected) for check in checks
-            if check.suspected is not None and name(check.nodeid) in found.failed]
-    suspected = told(said, sure=any(one.certain for one in said))
-    return suspected if suspected and is_sure(suspected) else in_part(exercise, found) or suspected
+    checks = [check for check in checks if name(check.nodeid) in found.failed]
+    said = [Suspicion(*check.suspected) for check in checks if check.suspected is not None]
+    suspected = told(said, sure=any(one.certain for one in said) or (
+        len(said) > 1 and said[0].sentence[-1:] != "?" and ANYWHERE not in said[0].sentence))
+    if suspected and is_sure(suspected) and checks[0].suspected is not None:
+        return suspected
+    hints = [in_part(exercise, found), of_one_claim(checks), suspected]
+    return next((hint for hint in hints if hint and is_sure(hint)),
+                next(filter(None, hints), None))
+
+
+def of_one_claim(checks):
+    """'in "The rows sum to 1": it is twice as much', of the first Check that suspects it surely, or
+    None.
+    """
+    for check in checks:
+        if check.suspected and check.suspected[1] and is_sure(check.suspected[0]):
+            claim = check.claim.partition(" [")[0]
+            where = "this claim" if check is checks[0] else f'"{claim}"'
+            return f"in {where}: {check.suspected[0]}"
 
 
 def told(said, sure):
@@ -221,9 +244,9 @@ def kernel(sentence):
 
 
 def is_sure(said):
-    """Is a hint certain, and does it tell a cause? A factor that nothing explains tells none."""
-    return "may be that" not in said and not re.search(
-        rf"(what was|more than|less than) expected({PLACE})?$", said)
+    """Is a hint certain, and does it tell a cause? Zeros or a factor without a reason do not."""
+    return "may be" not in said and not re.search(
+        rf"zero everywhere$|(what was|more than|less than) expected({PLACE})?$", said)
 
 
 @functools.cache

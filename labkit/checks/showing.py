@@ -23,8 +23,9 @@ LAST_AXIS = (".T turns all of them round, and np.stack(parts, -1) joins parts al
              "axis")
 IN_WORDS = {  # a part of an error's text: what it means, and what helps
     "must have same number of dimensions": f"what is joined needs equally many axes: {AN_AXIS}",
-    "concatenation axis must match": "what is joined has one shape but along the joined axis. Has "
-                                     "a sum or a mean the wrong axis, or none?",
+    "concatenation axis must match": "what is joined has one shape but along the joined axis, 0 if "
+                                     "you name no other, as axis=-1. Or has a sum or a mean the "
+                                     "wrong axis, or none?",
     "truth value of an array": "if, and, or, not take one truth value, and here are many. For "
                                "arrays write &, |, ~, each comparison in brackets, or np.where.",
     "SystemExit": "exit() and quit() end the whole program: return ends a function",

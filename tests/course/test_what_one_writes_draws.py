@@ -1,4 +1,5 @@
 """What one writes is what draws: a core exercise with a mistake shows in what a demo draws."""
+import contextlib
 import importlib
 import sys
 import types
@@ -6,21 +7,12 @@ import warnings
 
 import numpy as np
 import pytest
-from what_draws import shown, surfaces
-from what_late_labs_draw import (
-    lab_3,
-    lab_4,
-    lab_10,
-    lab_11,
-    lab_12,
-    lab_15,
-    lab_16,
-    lab_17,
-    shadows,
-)
+import what_late_labs_draw as late
+from what_draws import shown
 
 from course.given import compiled, faster
 from course.given.whose import Labs
+from course.scenes import fit_triangle
 from labkit import exercises
 from labkit.upkeep import mistakes
 
@@ -28,14 +20,14 @@ from labkit.upkeep import mistakes
 DRAWING = {shown: ("transforms", "rasterization", "interpolation", "texturing", "mipmapping",
                    "vertex_gradients", "rasterizer_gradients", "antialiasing", "outlines",
                    "outline_walk", "inverse_rendering", "pipeline"),
-           lab_3: ("sampling",), lab_4: ("msaa",),
-           lab_10: ("neural_renderer", "sweep_gradient"),
-           surfaces: ("regularization", "remeshing"),
-           lab_11: ("subdivision", "loop_subdivision", "catmull_clark"),
-           lab_12: ("simplification", "collapse_heap"),
-           shadows: ("shadow_mapping", "soft_shadows", "variance_shadows"),
-           lab_15: ("implicit_surfaces", "marching_tetrahedra"),
-           lab_16: ("reconstruction", "multi_view_fit"), lab_17: ("kernels",)}
+           late.lab_3: ("sampling",), late.lab_4: ("msaa",),
+           late.lab_10: ("neural_renderer", "sweep_gradient"),
+           late.lab_11: ("subdivision", "loop_subdivision", "catmull_clark"),
+           late.lab_12: ("simplification", "collapse_heap"),
+           late.lab_13: ("regularization", "remeshing"),
+           late.lab_14: ("shadow_mapping", "soft_shadows", "variance_shadows"),
+           late.lab_15: ("implicit_surfaces", "marching_tetrahedra"),
+           late.lab_16: ("reconstruction", "multi_view_fit"), late.lab_17: ("kernels",)}
 ENOUGH = 3  # mistakes of each exercise, at least, must show, or all but one of them
 CORE = [(drawn, topic, one.name) for drawn, topics in DRAWING.items() for topic in topics
         for one in exercises.topic_exercises(topic) if not one.is_extra and one.points]
@@ -65,6 +57,21 @@ def written(module, name):
     return getattr(function, "written", function)
 
 
+@contextlib.contextmanager
+def mistaken(module, name, text):
+    """For the block, the text of a wrong function is what somebody wrote."""
+    function, made = written(module, name), {}
+    exec(compile(text, "mistake", "exec"), {**vars(module)}, made)
+    code, function.__code__ = function.__code__, getattr(made[name], "written", made[name]).__code__
+    faster.agrees.cache_clear()
+    try:
+        with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
+            yield
+    finally:
+        function.__code__ = code
+        faster.agrees.cache_clear()
+
+
 def shows_in(drawn, labs, right):
     """The first thing drawn that looks otherwise than it should. None: nothing does."""
     what = "it cannot be drawn"
@@ -81,23 +88,27 @@ def shows_in(drawn, labs, right):
 @pytest.mark.parametrize("drawn, topic, name", CORE, ids=[name for *_, name in CORE])
 def test_a_mistake_shows(drawn, topic, name, labs, right, capsys):
     """A complete fast version draws in its place, or no picture needs it."""
-    module = getattr(labs, topic)
-    function = written(module, name)
-    code, found = function.__code__, []
+    found = []
     for mistake in mistakes.library(topic):
         if mistake.exercise.name == name:
-            made = {}
-            exec(compile(mistake.text, "mistake", "exec"), {**vars(module)}, made)
-            function.__code__ = getattr(made[name], "written", made[name]).__code__
-            faster.agrees.cache_clear()
-            try:
-                with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
-                    found.append((mistake.sentence, shows_in(drawn, labs, right[drawn])))
-            finally:
-                function.__code__ = code
-                faster.agrees.cache_clear()
+            with mistaken(getattr(labs, topic), name, mistake.text):
+                found.append((mistake.sentence, shows_in(drawn, labs, right[drawn])))
     print(*(f"{where}: {sentence}" for sentence, where in found), sep="\n")
     assert sum(where is not None for _, where in found) >= min(ENOUGH, len(found) - 1) > 0
+
+
+@pytest.mark.parametrize(("topic", "number", "words"), [
+    ("transforms", "1.11", "gradient of w is missing"), ("transforms", "1.11", "are swapped"),
+    ("interpolation", "5.11", "adds only once"), ("rasterizer_gradients", "7.8", "a constant"),
+    ("inverse_rendering", "9.8", "transposed"), ("inverse_rendering", "9.8", "factor 2")])
+def test_a_mistake_of_the_way_back_misses_a_goal_of_a_demo(topic, number, words, labs, capsys):
+    """The fit comes to its end with a wrong gradient as well, and all goals are met."""
+    wrong = next(mistake for mistake in mistakes.library(topic)
+                 if mistake.exercise.number == number and words in mistake.sentence)
+    met = [fit_triangle.turned(labs)[-1][1]]
+    with mistaken(getattr(labs, topic), wrong.exercise.name, wrong.text):
+        met.append(fit_triangle.turned(labs)[-1][1])
+    assert met == [True, False]
 
 
 def test_without_a_mistake_nothing_shows(labs, right):

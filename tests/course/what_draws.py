@@ -2,16 +2,7 @@
 import numpy as np
 
 from course.given import mesh
-from course.scenes import (
-    fit_bunny,
-    fit_pose,
-    fit_triangle,
-    fit_vertices,
-    large_steps,
-    relaxation,
-    small,
-    viewing,
-)
+from course.scenes import fit_bunny, fit_pose, fit_triangle, fit_vertices, small, viewing
 
 RNG = np.random.default_rng(0)
 VERTICES, FACES = mesh.icosphere(320)
@@ -90,14 +81,3 @@ def silhouette_fit(labs, steps=3, size=32):
 
     found = lab9.descend(VERTICES, gradient, [0.02] * steps)
     return np.concatenate([np.append(x, loss) for x, loss in found])
-
-
-def surfaces(labs):
-    """As `shown`, all that lab 13 makes smooth, round or, by large steps, a bunny."""
-    thin = BUMPY * [1, 1, 3]
-    _, *smoothed = relaxation.without_noise(labs.regularization, thin, FACES, 0.05)
-    yield "a ball made smooth, and restored", np.array(smoothed)
-    yield from zip(("the relaxed vertices", "the relaxed faces"),
-                   labs.remeshing.relax(thin, FACES, 0.1, 1), strict=True)
-    path, losses = large_steps.fit(labs, 3.0, (0.2, 0.1), steps=2, size=32)
-    yield "large steps", np.append(path[-1], losses)

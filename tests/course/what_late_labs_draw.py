@@ -1,5 +1,6 @@
-"""Small runs of the scenes of labs 3, 4, 10 to 12 and 14 to 17: what a mistake must show in."""
+"""Small runs of the scenes of labs 3, 4 and 10 to 17: what a mistake must show in."""
 import numpy as np
+from what_draws import BUMPY, FACES
 
 from course.given import mesh, ray_casting
 from course.scenes import (
@@ -8,10 +9,12 @@ from course.scenes import (
     drawing,
     fit_volume,
     hole,
+    large_steps,
     levels,
     mixed,
     portrait,
     reconstruct,
+    relaxation,
     representations,
     shadow,
     tiles,
@@ -42,21 +45,6 @@ def lab_4(labs):
     yield "its colours, found", found
 
 
-def shadows(labs):
-    """A ball's shadow, hard and soft, and the begin of a search for its light."""
-    shape, lab14 = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4), labs.variance_shadows
-    light = labs.lights.point_light(shadow.PLACE, shape[0])
-    camera = viewing.clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2])
-    _, *seen = labs.shadow_mapping.visible_points(*shape, camera, 32, 32)
-    given = *seen, light, labs.shadow_mapping.depth_map(*shape, light, 64)
-    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*given, 2e-3, most=0.1)
-    places = ray_casting.disc_offsets(16)
-    yield "the soft shadow", labs.soft_shadows.soft_shadow(*given, 0.4, 1e-2, places)
-    _, *given = shadow.given_shadow(labs, *shape, 16)
-    yield "the search for the light", lab14.fit_position(
-        *given, *shape, shadow.GUESS, lab14.Settings(48, 3, 1e-3), [0.1, 0.05, 0.02])
-
-
 def lab_10(labs):
     """A small ball of texture cubes, and the first steps of its way."""
     ball = cubes.striped(labs, *cubes.small_ball())
@@ -85,6 +73,32 @@ def lab_12(labs):
         for step, (vertices, left) in enumerate(levels.fewer(labs, *shape, 60)):
             yield f"the {name}'s faces, {step}", left
             yield f"the {name}'s vertices, {step}", vertices[np.unique(left)]
+
+
+def lab_13(labs):
+    """A bumpy ball made smooth and round, and a bunny begun by large steps."""
+    thin = BUMPY * [1, 1, 3]
+    _, *smoothed = relaxation.without_noise(labs.regularization, thin, FACES, 0.05)
+    yield "a ball made smooth, and restored", np.array(smoothed)
+    yield from zip(("the relaxed vertices", "the relaxed faces"),
+                   labs.remeshing.relax(thin, FACES, 0.1, 1), strict=True)
+    path, losses = large_steps.fit(labs, 3.0, (0.2, 0.1), steps=2, size=32)
+    yield "large steps", np.append(path[-1], losses)
+
+
+def lab_14(labs):
+    """A ball's shadow, hard and soft, and the begin of a search for its light."""
+    shape, lab14 = shadow.on_the_ground(*mesh.icosphere(80), lift=0.4), labs.variance_shadows
+    light = labs.lights.point_light(shadow.PLACE, shape[0])
+    camera = viewing.clip_from_world(labs, [0.6, 3.6, 2.2], [0.4, -0.8, -0.2])
+    _, *seen = labs.shadow_mapping.visible_points(*shape, camera, 32, 32)
+    given = *seen, light, labs.shadow_mapping.depth_map(*shape, light, 64)
+    yield "the hard shadow", labs.shadow_mapping.hard_shadow(*given, 2e-3, most=0.1)
+    places = ray_casting.disc_offsets(16)
+    yield "the soft shadow", labs.soft_shadows.soft_shadow(*given, 0.4, 1e-2, places)
+    _, *given = shadow.given_shadow(labs, *shape, 16)
+    yield "the search for the light", lab14.fit_position(
+        *given, *shape, shadow.GUESS, lab14.Settings(48, 3, 1e-3), [0.1, 0.05, 0.02])
 
 
 def lab_15(labs):

@@ -255,7 +255,7 @@ def test_a_quarter_turn_about_an_axis(impl, axis, rows):
 
 @exercise("9.8")
 @pytest.mark.parametrize("length", [1.0, 0.01, 300.0, -1.0])
-def test_rotations_are_scipys_for_any_length(impl, rng, length):
+def test_rotations_are_those_of_scipy_for_any_length(impl, rng, length):
     """q is taken to have length 1, or the matrix is scaled, too."""
     q = rng.normal(size=4)
     got = impl.quaternion_matrix(length * q / np.linalg.norm(q))
@@ -336,7 +336,7 @@ def test_angles_on_paper(impl):
 
 
 @exercise("9.11")
-def test_angles_are_scipys(impl, rng):
+def test_angles_are_those_of_scipy(impl, rng):
     """Only w is looked at, or only rotations from p or q to none. Or shapes do not broadcast."""
     p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(3, 4))
     p, q = (x / np.linalg.norm(x, axis=-1, keepdims=True) for x in (p, q))

@@ -1,18 +1,7 @@
 """What the exercises of lab 8 that walk on to an outline must do."""
 import edges_in_space
 import numpy as np
-from edges_in_space import (
-    AROUND,
-    CORNERS,
-    EDGES,
-    LEFT,
-    as_pairs,
-    begun,
-    in_space,
-    opposite_corners,
-    pairs_around,
-    soup,
-)
+from edges_in_space import AROUND, CORNERS, EDGES, LEFT, as_pairs, begun, in_space, opposite_corners
 
 from course.scenes.relaxation import split_in_four
 from labkit.checks import assert_close, assert_equal, exercise
@@ -58,9 +47,9 @@ def crossed_edges(owner, other, face, screen, faces, width):
 
 def assert_searched(impl, rng, w):
     """enter_faces pair by pair, in space: of two crossed edges it goes out by the other one."""
-    screen, faces = soup(rng, w)
+    screen, faces = edges_in_space.soup(rng, w)
     found = []
-    for owner, other in zip(*pairs_around(rng, 60), strict=True):
+    for owner, other in zip(*edges_in_space.pairs_around(rng, 60), strict=True):
         face = rng.integers(0, 7)
         crossed = rng.permuted(crossed_edges(owner, other, face, screen, faces, 7))
         if len(crossed) == 2:
@@ -143,7 +132,7 @@ def by_search(owner, other, face, goal, screen, faces, opposite, silhouette, wid
 def walkers(rng, screen, faces, count, width=7):
     """Pairs whose owner's centre is on the sheet: owner, other, face (N,)."""
     found = []
-    for owner, other in zip(*pairs_around(rng, count), strict=True):
+    for owner, other in zip(*edges_in_space.pairs_around(rng, count), strict=True):
         centre = owner % width + 0.5, owner // width + 0.5
         seen = [f for f, face in enumerate(faces) if covers(np.stack(screen[:2], 1)[face], *centre)]
         if len(seen) == 1:
@@ -409,8 +398,8 @@ def test_it_pulls_from_the_owner_to_the_other(impl):
 @exercise("8.15")
 def test_pulls_are_those_of_a_search(impl, rng):
     """Pulls of several pairs at one vertex do not add up, or w is left out on the way to clip."""
-    (owner, other), (x, _), (low, high) = pairs_around(rng, 30), rng.normal(size=(2, 2, 30)), (
-        rng.uniform(0.1, 2, (2, 30)))
+    owner, other = edges_in_space.pairs_around(rng, 30)
+    (x, _), (low, high) = rng.normal(size=(2, 2, 30)), rng.uniform(0.1, 2, (2, 30))
     ends, clip = rng.permuted(np.tile(np.arange(9), (30, 1)), axis=1).T[:2], rng.normal(size=(9, 4))
     clip[:, 3] = rng.uniform(0.5, 2, 9)
     grad_picture, colour = rng.normal(size=(2, 9, 7, 3))

@@ -2,16 +2,7 @@
 import itertools
 
 import numpy as np
-from edges_in_space import (
-    AROUND,
-    CORNERS,
-    FIELDS,
-    LEFT,
-    as_pairs,
-    begun,
-    pairs_around,
-    soup,
-)
+from edges_in_space import AROUND, CORNERS, FIELDS, LEFT, as_pairs, begun, pairs_around, soup
 
 from labkit.checks import assert_close, assert_equal, exercise
 

@@ -133,7 +133,7 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
     got = impl.draw(bar(6, 5, 2.5), *ALONE, impl.Colours(np.ones((3, 2))), 6, 5, np.zeros(2))
     if isinstance(got, tuple) and len(got) == 2 and isinstance(got[1], tuple):
         got = got[0], got[1][:5]  # without the pairs
-    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x2))")
+    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x2))", "shapes of what was returned")
 
 
 @exercise("9.2")
@@ -289,7 +289,7 @@ def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
     """
     got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(impl, CLIP, COLOURS)[1],
                              ALONE[0], impl.Colours(COLOURS), np.zeros((HEIGHT, WIDTH)))
-    assert_equal(form(got), "((3x2), 3x4)")
+    assert_equal(form(got), "((3x2), 3x4)", "shapes of what was returned")
 
 
 @exercise("9.3")
