@@ -107,7 +107,7 @@ def last_folds(pairs, face_index, clip, faces, opposite):
     height, width = face_index.shape
     screen, silhouette = all_silhouettes(clip, faces, opposite, width, height)
     goal, go = face_index.ravel()[pairs.other], np.arange(len(pairs.c))
-    last, at = (Pairs(*map(np.array, pairs)) for _ in range(2))
+    last, at = Pairs(*map(np.array, pairs)), Pairs(*map(np.array, pairs))
     for _ in range(2 * len(faces) - 1):
         across = opposite[at.face[go], at.edge[go]]
         go = go[(across >= 0) & (across // 3 != goal[go])]

@@ -90,7 +90,8 @@ def silhouette_edges(x, y, w, faces, across):  # exercise 8.2 (3 points)
     side = np.sign(w)
 
     def is_clockwise(a, b, c):
-        (x_a, y_a), (x_b, y_b), (x_c, y_c) = ((x.take(v), y.take(v)) for v in (a, b, c))
+        x_a, x_b, x_c = x.take(a), x.take(b), x.take(c)
+        y_a, y_b, y_c = y.take(a), y.take(b), y.take(c)
         area = (x_b - x_a) * (y_c - y_a) - (x_c - x_a) * (y_b - y_a)
         return area * (side.take(a) * side.take(b) * side.take(c)) < 0
 

@@ -94,6 +94,77 @@ def decay(rate, factor, steps):
     return [rate * factor**(step / steps) for step in range(steps)]
 
 
+def silhouette_loss(coverage, target):  # exercise 9.5 (4 points)
+    """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
+
+    coverage, target: floats of one shape, from 0 to 1 -> the loss, a number, and its gradient
+    grad_coverage. See `demo fit_bunny`.
+
+    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0]))
+    (np.float64(0.5), array([ 0.16666667, -0.33333333, -0.33333333,  0.16666667]))
+
+    Fine print. Two empty silhouettes are the same: the loss is 0, and so is its gradient.
+    """
+    both = (coverage * target).sum()
+    either = (coverage + target - coverage * target).sum()
+    if either == 0:
+        return 0.0, np.zeros(coverage.shape)
+    # L = 1 - A / U: dL = -dA / U + A dU / U^2, with dA = t dc and dU = (1 - t) dc in each pixel.
+    grad_coverage = (both / either * (1 - target) - target) / either
+    return 1 - both / either, grad_coverage
+
+
+def uniform_laplacian(positions, edges):  # extra 9.6 (2 points)
+    """Eq. (5): how far is each vertex from the mean of its neighbours?
+
+    positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
+    vertex without edges has d = 0.
+
+    >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
+    >>> uniform_laplacian(positions, np.array([[0, 1], [1, 2]]))
+    array([[-4., -2.],
+           [ 0.,  3.],
+           [ 4., -4.],
+           [ 0.,  0.]])
+    """
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
+    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
+
+
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.7 (3 points)
+    """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
+
+    Eq. (5) is linear, so that only the shape of positions matters.
+
+    >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
+    >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
+    >>> uniform_laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
+    array([[-0.5],
+           [-9. ],
+           [ 9.5],
+           [ 0. ]])
+    """
+    # d = x - W x with W_vn = 1 / valence_v for each neighbour n of v: grad_x = grad_d - W^T grad_d.
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    share = grad_laplacian / np.maximum(valence, 1)
+    total = scatter(share[vertex], neighbour, len(positions))
+    return np.where(valence > 0, grad_laplacian, 0) - total
+
+
+def uniform_laplacian_energy(positions, edges):
+    """The sum of |d_v|^2 over all vertices, the energy of a thin plate: less is smoother."""
+    return (uniform_laplacian(positions, edges)**2).sum()
+
+
+def uniform_laplacian_energy_backward(grad_energy, positions, edges):
+    """Backward of `uniform_laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
+    grad_laplacian = 2 * grad_energy * uniform_laplacian(positions, edges)
+    return uniform_laplacian_backward(grad_laplacian, positions, edges)
+
+
 def quaternion_product(p, q):  # extra 9.9 (2 points)
     """The product p q of quaternions. It rotates first by q, then by p.
 
@@ -174,74 +245,3 @@ def rotation_angle(p, q):  # extra 9.11 (2 points)
     # rotation is by 2 h, or with -q for q, by less. arccos(p . q) would lose a small h's digits.
     diagonals = np.sort([np.linalg.norm(p - q, axis=-1), np.linalg.norm(p + q, axis=-1)], 0)
     return 4 * np.arctan2(diagonals[0], diagonals[1])
-
-
-def silhouette_loss(coverage, target):  # exercise 9.5 (4 points)
-    """Eq. (4), soft IoU (Jaccard): 1 - intersection over union of two silhouettes.
-
-    coverage, target: floats of one shape, from 0 to 1 -> the loss, a number, and its gradient
-    grad_coverage. See `demo fit_bunny`.
-
-    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0]))
-    (np.float64(0.5), array([ 0.16666667, -0.33333333, -0.33333333,  0.16666667]))
-
-    Fine print. Two empty silhouettes are the same: the loss is 0, and so is its gradient.
-    """
-    both = (coverage * target).sum()
-    either = (coverage + target - coverage * target).sum()
-    if either == 0:
-        return 0.0, np.zeros(coverage.shape)
-    # L = 1 - A / U: dL = -dA / U + A dU / U^2, with dA = t dc and dU = (1 - t) dc in each pixel.
-    grad_coverage = (both / either * (1 - target) - target) / either
-    return 1 - both / either, grad_coverage
-
-
-def uniform_laplacian(positions, edges):  # extra 9.6 (2 points)
-    """Eq. (5): how far is each vertex from the mean of its neighbours?
-
-    positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
-    vertex without edges has d = 0.
-
-    >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
-    >>> uniform_laplacian(positions, np.array([[0, 1], [1, 2]]))
-    array([[-4., -2.],
-           [ 0.,  3.],
-           [ 4., -4.],
-           [ 0.,  0.]])
-    """
-    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=len(positions))[:, None]
-    total = scatter(positions[neighbour], vertex, len(positions))
-    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
-
-
-def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.7 (3 points)
-    """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
-
-    Eq. (5) is linear, so that only the shape of positions matters.
-
-    >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
-    >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
-    >>> uniform_laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
-    array([[-0.5],
-           [-9. ],
-           [ 9.5],
-           [ 0. ]])
-    """
-    # d = x - W x with W_vn = 1 / valence_v for each neighbour n of v: grad_x = grad_d - W^T grad_d.
-    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=len(positions))[:, None]
-    share = grad_laplacian / np.maximum(valence, 1)
-    total = scatter(share[vertex], neighbour, len(positions))
-    return np.where(valence > 0, grad_laplacian, 0) - total
-
-
-def uniform_laplacian_energy(positions, edges):
-    """The sum of |d_v|^2 over all vertices, the energy of a thin plate: less is smoother."""
-    return (uniform_laplacian(positions, edges)**2).sum()
-
-
-def uniform_laplacian_energy_backward(grad_energy, positions, edges):
-    """Backward of `uniform_laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
-    grad_laplacian = 2 * grad_energy * uniform_laplacian(positions, edges)
-    return uniform_laplacian_backward(grad_laplacian, positions, edges)

@@ -141,7 +141,7 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
 def antialias(colour, face_index, depth, clip, faces, opposite):
     """Eqs. (1) to (5) for a picture: colour (H, W, C) -> output (H, W, C).
 
-    Fine print. Faces that meet share their vertices here. Doubled vertices, as for uv seams, make
+    Faces that meet share their vertices here. Doubled vertices, as for uv seams, make
     the seam an outline: give attributes their own faces, as lab 5 does.
     """
     return blend_pairs(colour, blended_pairs(face_index, depth, clip, faces, opposite))

@@ -137,9 +137,9 @@ def draw(clip, faces, opposite, material,  # exercise 9.2 (3 points)
          width, height, background):
     """Your own picture: your `rasterize` and barycentrics, then shade, and antialias.
 
-    clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The given
-    `visible` makes the first four of the Buffers, and `shade` the colour. pairs are those of the
-    given `intersections.all_pairs(face_index, depth, clip, faces, opposite)`, of which
+    clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. These begin
+    with clip, face_index, depth and barycentric, and the given `shade` adds the colour. pairs are
+    those of the given `intersections.all_pairs(face_index, depth, clip, faces, opposite)`, of which
     `antialiasing.blend_pairs` makes the picture. See `demo bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])

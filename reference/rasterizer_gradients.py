@@ -26,7 +26,7 @@ from .interpolation import seen_corners
 
 
 def cross(p, q):
-    """The cross products of p and q (3, ...) -> (3, ...). np.cross takes twice as long for this."""
+    """The cross products of p and q (3, ...) -> (3, ...). np.cross takes longer."""
     return np.stack([p[1] * q[2] - p[2] * q[1],
                      p[2] * q[0] - p[0] * q[2],
                      p[0] * q[1] - p[1] * q[0]])

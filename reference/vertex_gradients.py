@@ -34,8 +34,8 @@ def vertex_matrix(triangle):  # step 7.1
 def residual(values, m, a, target):
     """Eq. (2): by how much is the pixel a too bright? -> f, a number.
 
-    values (3,): one channel of the vertices' colours. m (3, 3) has an inverse. a (3,), and target
-    is a number.
+    values (3,): r of (2), one channel of the vertices' colours. m (3, 3) has an inverse. a (3,),
+    and target is a number.
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> residual(np.array([8.0, 0.0, 4.0]), m, np.array([1.0, 1.0, 1.0]), 3.0)
