@@ -38,6 +38,8 @@ CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 def on_all_cores(function, size, work):
     """function(first, end) for parts of size, one for each thread that so much work is worth."""
     threads = threads_for(work)
+    if threads == 1:
+        return [function(0, size)]
     return list(each_band(function, parts(size, threads), threads))
 
 
@@ -266,48 +268,34 @@ def looked_up(clip, face_index, material, faces):
 
 def through_texture(grad_picture, buffers, faces, material):
     """The way back through a texture, and through the blended pairs."""
-    grad_edges = np.zeros(buffers.clip.shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grad_edges)
-    grad_colour = grad_picture.copy()
-    channels = grad_picture.shape[2]
-    np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
+    grad_colour, grad_edges = pairs_backward(grad_picture, buffers, faces)
     grad_material, grad_clip = textured_backward(
         grad_colour, buffers.clip, buffers.face_index, material, faces)
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, faces, grad_clip, epsilon=0.0):
-    """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
-    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each. epsilon: of
-    `crossing_backward`.
-    """
+def pairs_backward(grad_picture, buffers, faces):
+    """The way back through the blended pairs: grad_colour (H, W, C), grad_clip (V, 4)."""
     height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
     where = pairs, (height, width), buffers.clip, faces
     points = intersections.points(*where)
-    grad_points, grad_pixels = np.zeros(points.shape), np.empty((len(pairs.c), 2, channels))
+    grad_points, grad_colour = np.zeros(points.shape), grad_picture.copy()
     are_there = pair_kernels.blend_backward(
         grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), points,
-        pair_kernels.Sides(width, height, epsilon), grad_points, grad_pixels)
+        pair_kernels.Sides(width, height, 0.0), grad_points, grad_colour.reshape(-1))
     if not are_there:
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")
-    grad_clip += intersections.points_backward(grad_points, *where)
-    pixels = np.stack([pairs.owner[:len(pairs.c)], pairs.other[:len(pairs.c)]], -1)
-    return pixels.ravel(), grad_pixels.ravel()
+    return grad_colour, intersections.points_backward(grad_points, *where)
 
 
 def through_colours(grad_picture, buffers, faces, material):
     """The way back through colours of the vertices, and through the blended pairs."""
     shape = pixel_kernels.Shape(buffers.clip, faces, np.ascontiguousarray(material.colours, float))
-    grads = through_pixels(grad_picture, buffers.face_index, shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grads[0])
-    channels = grad_picture.shape[2]
-    records = room_for(len(pixels), channels)
-    count = pixel_kernels.gradient_pixels(grad_pixels, pixels, grid_of(buffers.face_index), shape,
-                                          constant(channels), records)
-    pixel_kernels.add_runs(faces, count, records, *grads)
-    return pipeline.Colours(grads[1]), grads[0]
+    grad_colour, grad_edges = pairs_backward(grad_picture, buffers, faces)
+    grad_clip, grad_colours = through_pixels(grad_colour, buffers.face_index, shape)
+    return pipeline.Colours(grad_colours), grad_clip + grad_edges
 
 
 def through_pixels(grad_picture, face_index, shape):

@@ -24,7 +24,7 @@ Runs = namedtuple("Runs", "start end number")
 # A flat one: the face that each pixel sees (H W,), -1 for none, and how wide it is.
 Picture = namedtuple("Picture", "face_index width")
 
-# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F, 3), uv (T, 2), epsilon of (8) there.
+# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F or 1, 3), uv (T, 2), (8)'s epsilon.
 Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces epsilon")
 
 # Of a face: x, y and w on screen, or q_k of rasterizer_gradients.py. Or a normal n_k, whose w is
@@ -267,7 +267,7 @@ def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
                     epsilon * unit * unit)
         corners = (vector_from(clip, a, look), vector_from(clip, b, look),
                    vector_from(clip, c, look))
-        places = places_of(uv, uv_faces, face)
+        places = places_of(uv, uv_faces, min(face, len(uv_faces) - 1))
         look_backward(look, corners, places, grad_at, grad_footprint, records)
 
 
@@ -279,7 +279,7 @@ def add_to_corners(runs, face_index, mesh, records, grad_clip, grad_uv):
     for run in range(len(runs.start)):
         face = face_index[runs.start[run]]
         for k in range(3):
-            vertex, place = faces[face, k], uv_faces[face, k]
+            vertex, place = faces[face, k], uv_faces[min(face, len(uv_faces) - 1), k]
             grad_clip[vertex, 0] += to_corners[run, k, 0]
             grad_clip[vertex, 1] += to_corners[run, k, 1]
             grad_clip[vertex, 3] += to_corners[run, k, 2]

@@ -47,10 +47,12 @@ class Antialias(torch.autograd.Function):
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = [], []
-        kernels = tensors.kernels(color, rast, pos)
-        ctx.lab8 = kernels or tensors.labs.outlines
+        kernels = tensors.kernels(color, rast, pos, faces=faces)
+        ctx.lab8, unpacked = (kernels, kernels.unpacked) if kernels else (tensors.labs.outlines,
+                                                                         seen_in)
         for n, clip in enumerate(vertices(pos, len(color))):
-            face_index, depth = seen_in(seen[n], len(faces), kernels)
+            given = seen[n], faces, len(clip)
+            face_index, depth = unpacked(*given) or seen_in(*given)
             ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
             out.append(ctx.lab8.blend_pairs(colours[n], ctx.pairs[n]))
         ctx.save_for_backward(color, pos)

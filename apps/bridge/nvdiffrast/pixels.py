@@ -6,11 +6,11 @@ import numpy as np
 import torch
 
 from apps.bridge import tensors
-from apps.bridge.tensors import INTEGERS, array, joined, require
+from apps.bridge.tensors import EXACT, INTEGERS, array, joined, require
+from course.given import inputs
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
-EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
-CODE = 0x4A800000  # the float32 whose bits are this and the number
+CODE = 0x4A800000  # a number above EXACT is the float32 whose bits are this and the number
 GRID = tensors.GRID
 
 
@@ -103,15 +103,15 @@ class Rasterize(torch.autograd.Function):
     @staticmethod
     def forward(ctx, pos, tri, size, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
-        rast, rast_db = np.zeros((2, len(batch), *size, 4), batch[0][0].dtype)
+        rast, rast_db = np.empty((2, len(batch), *size, 4), batch[0][0].dtype)
         ctx.seen, ctx.way = [], (not GRID and tensors.kernels(pos)) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
-            face_index, depth, *runs = ctx.way.draw_pixels(
+            face_index, depth = ctx.way.draw_pixels(
                 clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
             if first + len(faces) > EXACT:
                 rast[n, ..., 3] = coded(np.where(face_index < 0, 0, face_index + (first + 1)),
                                         rast.dtype)
-            ctx.seen.append((face_index, *runs))
+            ctx.seen.append(face_index)
             if depths is not None:
                 depths[n] = depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
@@ -127,14 +127,14 @@ class Rasterize(torch.autograd.Function):
         grads_db = grad_rast_db if ctx.grad_db else None
         grads = [ctx.way.draw_pixels_backward(*(None if grad is None else grad[n].numpy()
                                          for grad in (grad_rast, grads_db)),
-                                       *ctx.seen[n], clip, faces, EPSILON)
+                                       ctx.seen[n], clip, faces, EPSILON)
                  for n, (clip, faces, _) in enumerate(ctx.batch)]
         grad_pos = joined(grads if pos.ndim == 3 else [sum(grads)], pos)
         return grad_pos, None, None, None, None, None
 
 
 def draw_pixels(clip, faces, first, beyond, rast, rast_db):
-    """Writes to rast and rast_db (H, W, 4), 0 before -> face_index, depth (H, W). Faces are
+    """Writes to rast and rast_db (H, W, 4) -> face_index, depth (H, W). Faces are
     numbered from first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
     height, width, _ = rast.shape
@@ -149,6 +149,7 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     seen = face_index >= 0
     uv = weights[..., :2].clip(0, 1)  # rounded vertices may leave a pixel outside of its face
     rast[..., :2] = uv / np.maximum(uv.sum(-1, keepdims=True), 1)
+    rast[..., 2:] = 0
     rast[seen, 2], rast[seen, 3] = depth[seen], face_index[seen] + (first + 1)
     derivatives = lab5.barycentrics_derivatives(face_index, clip, faces)
     rast_db[...] = derivatives[..., :2, :].reshape(rast_db.shape)
@@ -194,15 +195,12 @@ def faces_of(rast):
     return numbers.astype(np.int32) - np.int32(1)
 
 
-def seen_in(rast, count, kernels):
-    """The face, of so many, that each pixel of an array rast (H, W, 4) sees, -1 for none, and its
-    depth, inf for none: (H, W) each.
+def seen_in(rast, faces, vertex_count):
+    """The face that each pixel of an array rast (H, W, 4) sees, -1 for none, and its depth, inf
+    for none: (H, W) each. An error says what of faces or of their vertices is not there.
     """
-    if kernels and count <= EXACT:
-        face_index, depth = kernels.unpacked(rast)
-    else:
-        face_index = faces_of(rast)
-        depth = np.where(face_index < 0, np.inf, rast[..., 2])
-    require(face_index.max() < count, f"rast sees face {face_index.max(initial=-1)}, and tri has "
-            f"{count}: give the faces that rast was made of")
-    return face_index, depth
+    face_index = faces_of(rast)
+    require(face_index.max() < len(faces), f"rast sees face {face_index.max(initial=-1)}, and tri "
+            f"has {len(faces)}: give the faces that rast was made of")
+    inputs.require_faces(faces, vertex_count)
+    return face_index, np.where(face_index < 0, np.inf, rast[..., 2])
