@@ -219,8 +219,8 @@ def moved(tensor, to, device=None, *others, **named):
         return to(tensor, device, *others, **named)
     with torch._C.DisableTorchFunction():  # else Strict would come here again
         made = to(tensor, "cpu" if is_there else device, *others, **named)
-    is_known = card.has(tensor) or isinstance(tensor, torch.nn.Parameter)
-    if made is tensor and not (is_there and tensor.requires_grad and is_known):
+    if made is tensor and not (is_there and tensor.requires_grad and (
+            card.has(tensor) or isinstance(tensor, torch.nn.Parameter))):
         made = made.clone()
     card.place(made).is_on_card = is_there
     return made

@@ -35,12 +35,12 @@ def kernels(*given, faces=()):
 
 def first_order(backward):
     """A Function's backward pass, for numbers alone. PyTorch says so if it is differentiated."""
-    @once_differentiable
     def of_numbers(ctx, *grads):
         return backward(ctx, *(grad if grad is None else grad.detach().contiguous()
                                for grad in grads))
 
-    return of_numbers
+    once = once_differentiable(of_numbers)  # takes time: for create_graph=True alone
+    return lambda *given: (once if torch.is_grad_enabled() else of_numbers)(*given)
 
 
 def array(name, tensor, shape, types=FLOATS):

@@ -177,8 +177,8 @@ def all_pairs(face_index, depth, clip, points, faces, opposite, walks=True):
 
     pixels = BAND // 8 if len(faces) > width * height else BAND  # whose faces stay in the cache
     found, beside = zip(*in_bands(band, width, height, pixels), strict=True)
-    *pairs, (owner, other, face) = map(in_order, zip(*found, strict=True),
-                                       zip(*beside, strict=True))
+    *pairs, (owner, other, face) = found[0] if len(found) == 1 else map(
+        in_order, zip(*found, strict=True), zip(*beside, strict=True))
     through = outlines.Pairs(owner, other, *[None] * 4, face, None)
     return intersections.with_meetings(outlines.Pairs(*pairs), through, face_index, clip, faces,
                                        opposite)
@@ -194,8 +194,6 @@ def room_for_pairs(count):
 
 def in_order(parts, beside):
     """A field of bands, of which the first k pairs are beside each other -> that of all."""
-    if len(parts) == 1:
-        return parts[0]
     return np.concatenate([part[..., :k] for part, k in zip(parts, beside, strict=True)]
                           + [part[..., k:] for part, k in zip(parts, beside, strict=True)], -1)
 
@@ -222,9 +220,8 @@ def draw(clip, faces, opposite, material, width, height, background):
                                        np.ascontiguousarray(material.colours, float),
                                        tuple(map(float, background)))
     pairs = all_pairs(face_index, depth, clip, points, faces, np.asarray(opposite, np.intp))
-    picture = colour.copy()
-    pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
-    return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
+    buffers = pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
+    return blend_pairs(colour, pairs), buffers
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
@@ -276,18 +273,30 @@ def through_texture(grad_picture, buffers, faces, material):
 
 def pairs_backward(grad_picture, buffers, faces):
     """The way back through the blended pairs: grad_colour (H, W, C), grad_clip (V, 4)."""
-    height, width, channels = grad_picture.shape
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
-    where = pairs, (height, width), buffers.clip, faces
-    points = intersections.points(*where)
-    grad_points, grad_colour = np.zeros(points.shape), grad_picture.copy()
-    are_there = pair_kernels.blend_backward(
-        grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), points,
-        pair_kernels.Sides(width, height, 0.0), grad_points, grad_colour.reshape(-1))
-    if not are_there:
+    where = pairs, grad_picture.shape[:2], buffers.clip, faces
+    grad_colour, grad_points = blend_pairs_backward(grad_picture, buffers.colour, pairs,
+                                                    intersections.points(*where))
+    return grad_colour, intersections.points_backward(grad_points, *where)
+
+
+def blend_pairs(colour, pairs):
+    """`antialiasing.blend_pairs`."""
+    picture = colour.copy()
+    pair_kernels.blend(picture.reshape(-1), colour.ravel(), pairs, constant(colour.shape[2]))
+    return picture
+
+
+def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon=0.0):
+    """`antialiasing.blend_pairs_backward`."""
+    (height, width, channels), grad_clip = grad_picture.shape, np.zeros(clip.shape)
+    grad_colour, sides = grad_picture.copy(), pair_kernels.Sides(width, height, epsilon)
+    if not pair_kernels.blend_backward(grad_picture.ravel(), colour.ravel(), pairs,
+                                       constant(channels), clip, sides, grad_clip,
+                                       grad_colour.reshape(-1)):
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")
-    return grad_colour, intersections.points_backward(grad_points, *where)
+    return grad_colour, grad_clip
 
 
 def through_colours(grad_picture, buffers, faces, material):

@@ -2,7 +2,7 @@
 
     draw_pixels                       labs 2, 5 and 7, by put_pixels and, on the way back,
                                       footprint_kernels
-    mixed                             lab 5, by mix_corners
+    interpolated                      lab 5, by mix_corners
     blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
     blend_pairs_backward
 
@@ -14,10 +14,12 @@ import numpy as np
 
 from course.given.compiled import kernel
 
-from . import compiled_pipeline, footprint_kernels, pair_kernels, scanline
+from . import compiled_pipeline, footprint_kernels, scanline
 from .compiled_pipeline import on_all_cores
 from .texel_kernels import constant
 
+blend_pairs = compiled_pipeline.blend_pairs
+blend_pairs_backward = compiled_pipeline.blend_pairs_backward
 UNIT = np.eye(3, 2, -1), np.arange(3)[None]  # u and v at a face's corners: 0, 0; 1, 0; 0, 1
 
 
@@ -28,7 +30,7 @@ def corners_of(faces, face):
 
 
 @kernel
-def are_there(faces, vertex_count):
+def are_vertices(faces, vertex_count):
     """Are all corners of faces vertices?"""
     least, most = 0, 0
     for face in range(len(faces)):
@@ -51,7 +53,7 @@ def unpack(rast, faces, vertex_count, face_index, depth):
         depth[p] = rast[p, 2] if face_index[p] >= 0 else np.inf
         if face_index[p] >= len(faces):
             return False
-    return are_there(faces, vertex_count)
+    return are_vertices(faces, vertex_count)
 
 
 @kernel
@@ -63,11 +65,11 @@ def edge_line(points, p, q, r, x, y):
 
 
 @kernel
-def put_pixels(seen, points, faces, first, rows, rast, rast_db):
+def put_pixels(seen, points, faces, first, rows, rasts):
     """Writes some rows of rast (P, 4), and of rast_db (P, 4) by eq. (6) there. seen: face_index and
     depth (P,), and the width. Faces are numbered from first on.
     """
-    face_index, depth, width = seen
+    (face_index, depth, width), (rast, rast_db) = seen, rasts
     for row in range(*rows):
         p, last = np.uintp(row * width), np.uintp((row + 1) * width)
         while p < last:
@@ -77,15 +79,15 @@ def put_pixels(seen, points, faces, first, rows, rast, rast_db):
                 p += np.uintp(1)
             if face >= 0:
                 put_run((np.intp(face), row, start - np.uintp(row * width)), (start, p), depth,
-                        points, faces, first, rast, rast_db)
+                        points, faces, first, rasts)
             else:
                 rast[start:p] = rast_db[start:p] = 0
 
 
 @kernel
-def put_run(where, pixels, depth, points, faces, first, rast, rast_db):
+def put_run(where, pixels, depth, points, faces, first, rasts):
     """Those of neighbours in a row that see one face. where: face, row, first column."""
-    face, row, column = where
+    (face, row, column), (rast, rast_db) = where, rasts
     x, y = np.int32(column) + 0.5, row + 0.5
     i, j, k = corners_of(faces, np.uintp(face))
     a, a_x, a_y = edge_line(points, j, k, i, x, y)
@@ -102,14 +104,12 @@ def put_run(where, pixels, depth, points, faces, first, rast, rast_db):
 
 
 @kernel
-def mix_corners(values, faces, rasts, chosen, channels, part, out, out_da):
-    """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), and how those
-    chosen (D,) change -> out_da (P, 2 D). Returns whether all is there.
-
-    rasts: rast and rast_db (P, 4). channels: a tuple of A numbers, so that A is known when this is
-    compiled.
+def mix_corners(values, faces, rasts, chosen, channels, part, outs):
+    """Eq. (5) of interpolation.py at pixels of a part, values (V, A), and how those chosen (D,)
+    change -> whether all is there. rasts: rast and rast_db (P, 4). channels: a tuple of A numbers,
+    so that A is known when this is compiled. outs: where (P, A) and (P, 2 D) are written.
     """
-    rast, rast_db = rasts
+    (rast, rast_db), (out, out_da) = rasts, outs
     for p in range(np.uintp(part[0]), np.uintp(part[1])):
         face = face_in(rast, p)
         if face >= len(faces):
@@ -128,7 +128,7 @@ def mix_corners(values, faces, rasts, chosen, channels, part, out, out_da):
             along_u, along_v = slopes(values, i, j, k, chosen[d])
             out_da[p, 2 * d] = rast_db[p, 0] * along_u + rast_db[p, 2] * along_v
             out_da[p, 2 * d + 1] = rast_db[p, 1] * along_u + rast_db[p, 3] * along_v
-    return part[0] > 0 or are_there(faces, len(values))
+    return part[0] > 0 or are_vertices(faces, len(values))
 
 
 @kernel
@@ -139,17 +139,14 @@ def slopes(values, i, j, k, c):
 
 
 @kernel
-def mix_corners_backward(grads, values, faces, rasts, chosen, channels, into):
-    """Eq. (7): grads of out and out_da, each (P or 0, ...), add to grad_values (V, A), and go to
-    those of rasts.
-    """
-    (grad_out, grad_da), (rast, rast_db), (grad_values, grad_rast, grad_db) = grads, rasts, into
+def mix_corners_backward(grad_out, values, faces, rast, channels, grad_values, grad_rast):
+    """Eq. (7): grad_out (P, A) adds to grad_values (V, A), and goes to grad_rast (P, 4)."""
     for p in range(np.uintp(len(rast))):
         face = face_in(rast, p)
         if face >= 0:
             i, j, k = corners_of(faces, np.uintp(face))
             u, v, grad_u, grad_v = np.float64(rast[p, 0]), np.float64(rast[p, 1]), 0.0, 0.0
-            for c in range(np.uintp(len(channels) if len(grad_out) else 0)):
+            for c in range(np.uintp(len(channels))):
                 grad = np.float64(grad_out[p, c])
                 along_u, along_v = slopes(values, i, j, k, c)
                 grad_u, grad_v = grad_u + grad * along_u, grad_v + grad * along_v
@@ -157,7 +154,17 @@ def mix_corners_backward(grads, values, faces, rasts, chosen, channels, into):
                 grad_values[j, c] += v * grad
                 grad_values[k, c] += (1.0 - u - v) * grad
             grad_rast[p, 0], grad_rast[p, 1] = grad_u, grad_v
-            for n in range(2 * len(chosen) if len(grad_da) else 0):
+
+
+@kernel
+def slopes_backward(grad_da, values, faces, rasts, chosen, grad_values, grad_db):
+    """The same from grad_da (P, 2 D)."""
+    rast, rast_db = rasts
+    for p in range(np.uintp(len(rast))):
+        face = face_in(rast, p)
+        if face >= 0:
+            i, j, k = corners_of(faces, np.uintp(face))
+            for n in range(2 * len(chosen)):
                 c, axis, grad = chosen[n // 2], n % 2, np.float64(grad_da[p, n])
                 along_u, along_v = slopes(values, i, j, k, c)
                 grad_db[p, axis] += grad * along_u
@@ -180,8 +187,8 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
         points, _ = compiled_pipeline.screen_vertices(clip, width, height)
         face_index, depth = scanline.rasterize(clip, faces, width, height, beyond)
     given = (face_index.ravel(), depth.ravel(), width), points, faces, first
-    into = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
-    on_all_cores(lambda *rows: put_pixels(*given, rows, *into), height, face_index.size)
+    rasts = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
+    on_all_cores(lambda *rows: put_pixels(*given, rows, rasts), height, face_index.size)
     return face_index, depth
 
 
@@ -191,34 +198,34 @@ def draw_pixels_backward(grad_rast, grad_rast_db, face_index, clip, faces, epsil
     mesh = footprint_kernels.Wrapped(np.asarray(clip, float), faces, *UNIT, epsilon)
     grads = (np.zeros((size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
              for grad, size in ((grad_rast, face_index.size), (grad_rast_db, 0)))
-    bands = [(runs._replace(number=runs.start),)
-             for runs, in footprint_kernels.runs_in_bands(face_index)]
+    bands = footprint_kernels.runs_in_bands(face_index, counts_all=True)
     return footprint_kernels.gradients(*grads, footprint_kernels.flat(face_index), mesh, bands)[1]
 
 
-def mixed(values, faces, rast, rast_db, chosen):
+def interpolated(values, faces, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) at the pixels of rast (H, W, 4) -> (P, A), and how
     those chosen (D,) change (P, 2 D). None: rast or faces name what is not there.
     """
     size, channels = rast.shape[0] * rast.shape[1], constant(values.shape[1])
-    out, out_da = (np.empty((size, count), np.float32) for count in (len(channels),
-                                                                    2 * len(chosen)))
+    outs = tuple(np.empty((size, count), np.float32) for count in (len(channels), 2 * len(chosen)))
     given = values, faces, (rast.reshape(-1, 4), rast_db.reshape(-1, 4)), chosen, channels
-    are_whole = on_all_cores(lambda *part: mix_corners(*given, part, out, out_da), size, size)
-    return (out, out_da) if all(are_whole) else None
+    are_whole = on_all_cores(lambda *part: mix_corners(*given, part, outs), size, size)
+    return outs if all(are_whole) else None
 
 
-def mixed_backward(grad_out, grad_da, values, faces, rast, rast_db, chosen):
-    """Backward of `mixed` -> gradients of values, rast and rast_db. grad_out and grad_da may be
-    None.
+def interpolated_backward(grad_out, grad_da, values, faces, rast, rast_db, chosen):
+    """Backward of `interpolated` -> gradients of values, rast and rast_db. grad_out and grad_da may
+    be None.
     """
-    grads = tuple(np.empty((0, 0), np.float32) if grad is None else grad
-                  for grad in (grad_out, grad_da))
-    into = np.zeros(values.shape), np.zeros_like(rast), np.zeros_like(rast_db)
-    grad_values, *flat = into[0], *(each.reshape(-1, 4) for each in into[1:])
-    mix_corners_backward(grads, values, faces, (rast.reshape(-1, 4), rast_db.reshape(-1, 4)),
-                         chosen, constant(values.shape[1]), (grad_values, *flat))
-    return into
+    grads = np.zeros(values.shape), np.zeros_like(rast), np.zeros_like(rast_db)
+    (rast, rast_db), (by_rast, by_db) = ([each.reshape(-1, 4) for each in pair]
+                                         for pair in ((rast, rast_db), grads[1:]))
+    if grad_out is not None:
+        mix_corners_backward(grad_out, values, faces, rast, constant(values.shape[1]), grads[0],
+                             by_rast)
+    if grad_da is not None:
+        slopes_backward(grad_da, values, faces, (rast, rast_db), chosen, grads[0], by_db)
+    return grads
 
 
 def unpacked(rast, faces, vertex_count):
@@ -235,19 +242,3 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
     return compiled_pipeline.all_pairs(face_index, depth, clip, points, faces, opposite,
                                        walks=False)
-
-
-def blend_pairs(colour, pairs):
-    """`antialiasing.blend_pairs`."""
-    picture = colour.copy()
-    pair_kernels.blend(picture.reshape(-1), colour.reshape(-1), pairs, constant(colour.shape[2]))
-    return picture
-
-
-def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
-    """`antialiasing.blend_pairs_backward`."""
-    (height, width, channels), grad_clip = colour.shape, np.zeros(clip.shape)
-    grad_colour, sides = grad_picture.copy(), pair_kernels.Sides(width, height, epsilon)
-    pair_kernels.blend_backward(grad_picture.reshape(-1), colour.reshape(-1), pairs,
-                                constant(channels), clip, sides, grad_clip, grad_colour.reshape(-1))
-    return grad_colour, grad_clip

@@ -39,8 +39,8 @@ Look = namedtuple("Look", "record number count X Y step_x step_y unit epsilon")
 
 
 @kernel
-def seen_runs(picture):
-    """The Runs of a Picture that see a face."""
+def seen_runs(picture, counts_all):
+    """The Runs of a Picture that see a face. counts_all: number counts all pixels."""
     face_index, width = picture
     starts, ends, numbers = np.empty((3, len(face_index)), np.int32)
     count, number = 0, 0
@@ -51,7 +51,8 @@ def seen_runs(picture):
             while end < last and face_index[end] == face_index[start]:
                 end += 1
             if face_index[start] >= 0:
-                starts[count], ends[count], numbers[count] = start, end, number
+                starts[count], ends[count] = start, end
+                numbers[count] = start if counts_all else number
                 count, number = count + 1, number + end - start
             start = end
     return Runs(starts[:count].copy(), ends[:count].copy(), numbers[:count].copy())
@@ -292,9 +293,9 @@ def flat(face_index):
     return Picture(face_index.ravel(), face_index.shape[1])
 
 
-def runs_in_bands(face_index):
+def runs_in_bands(face_index, counts_all=False):
     """The runs of a picture (H, W), in bands of about so many pixels as a thread takes."""
-    runs = seen_runs(flat(face_index))
+    runs = seen_runs(flat(face_index), counts_all)
     size = 1 + len(runs.start) // (1 + face_index.size // pyramid_kernels.STEP)
     return [(Runs(*(part[k:k + size] for part in runs)),)
             for k in range(0, len(runs.start), size)]

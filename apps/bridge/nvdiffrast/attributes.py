@@ -55,8 +55,8 @@ class Interpolate(torch.autograd.Function):
             "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
         ctx.given = [(value, faces, pixels, change, chosen)
                      for value, pixels, change in zip(values, pictures, changes, strict=True)]
-        out, out_da = zip(*(ctx.way.mixed(*given) or mixed(*given) for given in ctx.given),
-                          strict=True)
+        found = [ctx.way.interpolated(*given) or interpolated(*given) for given in ctx.given]
+        out, out_da = zip(*found, strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)
         return (joined(out, attr, (*rast.shape[:3], attr.shape[-1])),
@@ -68,7 +68,7 @@ class Interpolate(torch.autograd.Function):
         attr, rast, _, rast_db = ctx.saved_tensors
         rows = (len(ctx.given) * [None] if grad is None or not grad.shape[-1] else
                 grad.numpy().reshape(len(ctx.given), -1, grad.shape[-1]) for grad in grads)
-        found = [ctx.way.mixed_backward(grad_out, grad_da, *given)
+        found = [ctx.way.interpolated_backward(grad_out, grad_da, *given)
                  for grad_out, grad_da, given in zip(*rows, ctx.given, strict=True)]
         by_attr, by_rast, by_db = zip(*found, strict=True)
         has_db = rast_db is not None and grads[1] is not None
@@ -86,7 +86,7 @@ def columns(chosen, rast, rast_db, out, out_da):
                None if out_da is None else out_da[:, axis::2])
 
 
-def mixed(values, faces, rast, rast_db, chosen):
+def interpolated(values, faces, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
     (P, 2 D). rast and rast_db (H, W, 4).
     """
@@ -100,9 +100,9 @@ def mixed(values, faces, rast, rast_db, chosen):
     return made
 
 
-def mixed_backward(grad_out, grad_da, values, faces, rast, rast_db, chosen):
-    """Backward of `mixed` -> gradients of values, rast and rast_db. grad_out and grad_da may be
-    None.
+def interpolated_backward(grad_out, grad_da, values, faces, rast, rast_db, chosen):
+    """Backward of `interpolated` -> gradients of values, rast and rast_db. grad_out and grad_da may
+    be None.
     """
     face_index = faces_of(rast)
     grads = np.zeros(values.shape), np.zeros_like(rast), np.zeros_like(rast_db)
