@@ -7,7 +7,7 @@ import torch
 from apps.bridge import tensors
 from apps.bridge.tensors import INTEGERS, array, joined, require
 
-from .pixels import faces_of, seen_in
+from .pixels import seen_in
 
 NONE = np.arange(0)
 
@@ -55,8 +55,7 @@ class Interpolate(torch.autograd.Function):
             "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
         ctx.given = [(value, faces, pixels, change, chosen)
                      for value, pixels, change in zip(values, pictures, changes, strict=True)]
-        found = [ctx.way.interpolated(*given) or interpolated(*given) for given in ctx.given]
-        out, out_da = zip(*found, strict=True)
+        out, out_da = zip(*(mixed(ctx.way, *given) for given in ctx.given), strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
         ctx.set_materialize_grads(False)
         return (joined(out, attr, (*rast.shape[:3], attr.shape[-1])),
@@ -68,7 +67,7 @@ class Interpolate(torch.autograd.Function):
         attr, rast, _, rast_db = ctx.saved_tensors
         rows = (len(ctx.given) * [None] if grad is None or not grad.shape[-1] else
                 grad.numpy().reshape(len(ctx.given), -1, grad.shape[-1]) for grad in grads)
-        found = [ctx.way.interpolated_backward(grad_out, grad_da, *given)
+        found = [mixed_backward(ctx.way, grad_out, grad_da, *given)
                  for grad_out, grad_da, given in zip(*rows, ctx.given, strict=True)]
         by_attr, by_rast, by_db = zip(*found, strict=True)
         has_db = rast_db is not None and grads[1] is not None
@@ -86,35 +85,29 @@ def columns(chosen, rast, rast_db, out, out_da):
                None if out_da is None else out_da[:, axis::2])
 
 
-def interpolated(values, faces, rast, rast_db, chosen):
+def mixed(way, values, faces, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
     (P, 2 D). rast and rast_db (H, W, 4).
     """
-    face_index, _ = seen_in(rast, faces, len(values))
-    made = [np.zeros((face_index.size, count), values.dtype)
+    made = [np.zeros((rast.shape[0] * rast.shape[1], count), values.dtype)
             for count in (values.shape[1], 2 * len(chosen))]
     for of, uv, total, out in columns(chosen, rast, rast_db, *made):
-        out[...] = tensors.labs.interpolation.interpolate(
-            values[:, of], faces, face_index, corner_weights(face_index, uv, total)
-        ).reshape(out.shape)
+        if not way.mix_attributes(values[:, of], faces, rast, uv, total, out):
+            seen_in(rast, faces, len(values))  # says what is not there
     return made
 
 
-def interpolated_backward(grad_out, grad_da, values, faces, rast, rast_db, chosen):
-    """Backward of `interpolated` -> gradients of values, rast and rast_db. grad_out and grad_da may
-    be None.
+def mixed_backward(way, grad_out, grad_da, values, faces, rast, rast_db, chosen):
+    """Backward of `mixed` -> gradients of values, rast and rast_db. grad_out and grad_da may be
+    None.
     """
-    face_index = faces_of(rast)
     grads = np.zeros(values.shape), np.zeros_like(rast), np.zeros_like(rast_db)
     looks = columns(chosen, rast, rast_db, grad_out, grad_da)
     into = columns(chosen, *grads[1:], None, None)
     for (of, uv, total, grad), (_, grad_uv, *_) in zip(looks, into, strict=True):
         if grad is not None:
-            by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
-                grad.reshape(*face_index.shape, -1), values[:, of], faces, face_index,
-                corner_weights(face_index, uv, total))
-            by_weight = by_weight.reshape(-1, 3)
-            grad_uv[...] = by_weight[:, :2] - by_weight[:, 2:]  # as weight 2 is total - u - v
+            by_corner = way.mix_attributes_backward(grad, values[:, of], faces, rast, uv, total,
+                                                    grad_uv)
             for c, by in zip(np.arange(values.shape[1])[of], by_corner.T, strict=True):
                 grads[0][:, c] += by  # one by one, as chosen may have a number twice
     return grads
@@ -124,3 +117,23 @@ def corner_weights(face_index, uv, total):
     """u and v (P, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
     uv = uv.reshape(*face_index.shape, 2).astype(float)
     return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+
+
+def mix_attributes(values, faces, rast, uv, total, out):
+    """Writes `mixed` for one of `columns` to out (P, A) -> whether all is there."""
+    face_index, _ = seen_in(rast, faces, len(values))
+    weights = corner_weights(face_index, uv, total)
+    out[...] = tensors.labs.interpolation.interpolate(values, faces, face_index,
+                                                      weights).reshape(out.shape)
+    return True
+
+
+def mix_attributes_backward(grad_out, values, faces, rast, uv, total, grad_uv):
+    """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
+    face_index, _ = seen_in(rast, faces, len(values))
+    by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
+        grad_out.reshape(*face_index.shape, -1), values, faces, face_index,
+        corner_weights(face_index, uv, total))
+    by_weight = by_weight.reshape(-1, 3)
+    grad_uv[...] = by_weight[:, :2] - by_weight[:, 2:]  # as weight 2 is total - u - v
+    return by_corner

@@ -48,12 +48,13 @@ class Antialias(torch.autograd.Function):
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = [], []
         kernels = tensors.kernels(color, rast, pos, faces=faces)
-        ctx.lab8, unpacked = (kernels, kernels.unpacked) if kernels else (tensors.labs.outlines,
-                                                                         seen_in)
+        unpacked = kernels.unpacked if kernels else seen_in
+        ctx.lab8 = tensors.labs.compiled_pipeline if kernels else tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
             given = seen[n], faces, len(clip)
             face_index, depth = unpacked(*given) or seen_in(*given)
-            ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
+            ctx.pairs.append((kernels or ctx.lab8).blended_pairs(face_index, depth, clip, faces,
+                                                                 opposite))
             out.append(ctx.lab8.blend_pairs(colours[n], ctx.pairs[n]))
         ctx.save_for_backward(color, pos)
         ctx.boost = boost

@@ -103,15 +103,15 @@ class Rasterize(torch.autograd.Function):
     @staticmethod
     def forward(ctx, pos, tri, size, ranges, grad_db, depths):
         batch = pictures(pos, tri, ranges)
-        rast, rast_db = np.empty((2, len(batch), *size, 4), batch[0][0].dtype)
+        rast, rast_db = np.zeros((2, len(batch), *size, 4), batch[0][0].dtype)
         ctx.seen, ctx.way = [], (not GRID and tensors.kernels(pos)) or sys.modules[__name__]
         for n, (clip, faces, first) in enumerate(batch):
-            face_index, depth = ctx.way.draw_pixels(
+            face_index, depth, *runs = ctx.way.draw_pixels(
                 clip, faces, first, depths.get(n) if depths else None, rast[n], rast_db[n])
             if first + len(faces) > EXACT:
                 rast[n, ..., 3] = coded(np.where(face_index < 0, 0, face_index + (first + 1)),
                                         rast.dtype)
-            ctx.seen.append(face_index)
+            ctx.seen.append((face_index, *runs))
             if depths is not None:
                 depths[n] = depth
         rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
@@ -127,14 +127,14 @@ class Rasterize(torch.autograd.Function):
         grads_db = grad_rast_db if ctx.grad_db else None
         grads = [ctx.way.draw_pixels_backward(*(None if grad is None else grad[n].numpy()
                                          for grad in (grad_rast, grads_db)),
-                                       ctx.seen[n], clip, faces, EPSILON)
+                                       *ctx.seen[n], clip, faces, EPSILON)
                  for n, (clip, faces, _) in enumerate(ctx.batch)]
         grad_pos = joined(grads if pos.ndim == 3 else [sum(grads)], pos)
         return grad_pos, None, None, None, None, None
 
 
 def draw_pixels(clip, faces, first, beyond, rast, rast_db):
-    """Writes to rast and rast_db (H, W, 4) -> face_index, depth (H, W). Faces are
+    """Writes to rast and rast_db (H, W, 4), 0 before -> face_index, depth (H, W). Faces are
     numbered from first on. beyond: a depth (H, W), of which only what lies deeper is seen, or None.
     """
     height, width, _ = rast.shape
@@ -149,7 +149,6 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     seen = face_index >= 0
     uv = weights[..., :2].clip(0, 1)  # rounded vertices may leave a pixel outside of its face
     rast[..., :2] = uv / np.maximum(uv.sum(-1, keepdims=True), 1)
-    rast[..., 2:] = 0
     rast[seen, 2], rast[seen, 3] = depth[seen], face_index[seen] + (first + 1)
     derivatives = lab5.barycentrics_derivatives(face_index, clip, faces)
     rast_db[...] = derivatives[..., :2, :].reshape(rast_db.shape)
