@@ -168,10 +168,9 @@ def add_up(look, grads, grad_colour, channels):
 
 def looked_at(parts, filter_mode):
     """Directions of these parts, for a filter."""
-    has_changes = parts[1] is not None
-    parts = (np.zeros((1, size), np.float32) if part is None else part.reshape(-1, size)
-             for part, size in zip(parts, (3, 6, 1), strict=True))
-    return Directions(*parts, has_changes, filter_mode == "linear-mipmap-linear",
+    flat = (np.zeros((1, size), np.float32) if part is None else part.reshape(-1, size)
+            for part, size in zip(parts, (3, 6, 1), strict=True))
+    return Directions(*flat, parts[1] is not None, filter_mode == "linear-mipmap-linear",
                       filter_mode == "nearest")
 
 

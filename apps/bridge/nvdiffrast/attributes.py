@@ -9,8 +9,6 @@ from apps.bridge.tensors import INTEGERS, array, joined, require
 
 from .pixels import seen_in
 
-NONE = np.arange(0)
-
 
 def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
     """The corners' attributes at each pixel (N, H, W, A), and derivatives of D (N, H, W, 2 D).
@@ -28,7 +26,7 @@ def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
 def chosen_of(diff_attrs, count):
     """The numbers (D,), from 0 on, of those of count attributes that diff_attrs asks for."""
     if diff_attrs is None:
-        return NONE
+        return np.arange(0)
     if isinstance(diff_attrs, str) and diff_attrs == "all":
         return np.arange(count)
     chosen = np.asarray(diff_attrs)

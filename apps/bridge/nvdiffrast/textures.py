@@ -24,6 +24,7 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     (N, H, W, 3); uv_da (N, H, W, 4 or 6); mip_level_bias (N, H, W); mip: a list of tensors, the
     levels from 1 on, or a `texture_construct_mip`.
     """
+    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     mode = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
     require_boundary(boundary_mode)
     is_cube = boundary_mode == "cube"
@@ -74,6 +75,7 @@ def filter_of(mode, has_level, max_level):
 
 def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     """The levels of a texture that stays as it is, for mip of `texture`."""
+    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     return MipStack(levels_of(pictures_of(tex, cube_mode), max_mip_level, cube_mode))
 
 
