@@ -7,7 +7,7 @@ import torch
 from apps.bridge import tensors
 from apps.bridge.tensors import INTEGERS, array, joined, require
 
-from .pixels import seen_in
+from .pixels import faces_of, seen_in
 
 
 def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
@@ -128,7 +128,7 @@ def mix_attributes(values, faces, rast, uv, total, out):
 
 def mix_attributes_backward(grad_out, values, faces, rast, uv, total, grad_uv):
     """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
-    face_index, _ = seen_in(rast, faces, len(values))
+    face_index = faces_of(rast)
     by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
         grad_out.reshape(*face_index.shape, -1), values, faces, face_index,
         corner_weights(face_index, uv, total))
