@@ -24,7 +24,6 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     (N, H, W, 3); uv_da (N, H, W, 4 or 6); mip_level_bias (N, H, W); mip: a list of tensors, the
     levels from 1 on, or a `texture_construct_mip`.
     """
-    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     mode = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
     require_boundary(boundary_mode)
     is_cube = boundary_mode == "cube"
@@ -70,17 +69,18 @@ def filter_of(mode, has_level, max_level):
     require(mode in filters, f"filter_mode must be auto or one of {', '.join(filters)}, not "
             f"{mode!r}")
     require("mipmap" not in mode or has_level, f"filter_mode {mode} needs uv_da or mip_level_bias")
-    return "linear" if max_level == 0 and "mipmap" in mode else mode
+    is_one = max_level is not None and int(max_level) == 0
+    return "linear" if is_one and "mipmap" in mode else mode
 
 
 def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     """The levels of a texture that stays as it is, for mip of `texture`."""
-    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     return MipStack(levels_of(pictures_of(tex, cube_mode), max_mip_level, cube_mode))
 
 
 def levels_of(pictures, max_mip_level, is_cube):
     """The levels from 1 on of pictures as of `pictures_of`."""
+    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     require(max_mip_level is None or max_mip_level >= 0, f"max_mip_level must be 0 or more, not "
             f"{max_mip_level}")
     labs = tensors.labs
