@@ -17,7 +17,8 @@ import types
 from pathlib import Path
 
 os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
-import torch.utils._device
+import torch
+from torch.overrides import _get_current_function_mode_stack as modes
 
 from course.given import whose
 from labkit import exercises
@@ -200,8 +201,9 @@ def on_processor(function):
     """A function of PyTorch that makes tensors, on the processor."""
     @functools.wraps(function)
     def made(*args, **kwargs):
-        device = kwargs.get("device")
-        if not is_cuda(torch.utils._device.CURRENT_DEVICE if device is None else device):
+        devices = [kwargs.get("device")]  # and those of torch.device and set_default_device
+        devices += [getattr(mode, "device", None) for mode in modes()[::-1]]
+        if not is_cuda(next((device for device in devices if device is not None), None)):
             return function(*args, **kwargs)
         return card.put(function(*args, **{**kwargs, "device": "cpu"}))
 
@@ -219,8 +221,8 @@ def moved(tensor, to, device=None, *others, **named):
         return to(tensor, device, *others, **named)
     with torch._C.DisableTorchFunction():  # else Strict would come here again
         made = to(tensor, "cpu" if is_there else device, *others, **named)
-    is_known = card.has(tensor) or isinstance(tensor, torch.nn.Parameter)
-    if made is tensor and not (is_there and tensor.requires_grad and is_known):
+    if made is tensor and not (is_there and tensor.requires_grad and (
+            card.has(tensor) or isinstance(tensor, torch.nn.Parameter))):
         made = made.clone()
     card.place(made).is_on_card = is_there
     return made

@@ -15,6 +15,7 @@ GRID = os.environ.get("BRIDGE_GRID", "0")
 if not GRID.isdecimal():
     raise ValueError(f"BRIDGE_GRID must be a whole number, such as 16; it is {GRID}")
 GRID = int(GRID)  # in a pixel, vertices have so many places; 0: all
+EXACT = 2**24  # so far, float32 holds all whole numbers
 DTYPES = {torch.float32: np.float32, torch.float64: np.float64}
 
 
@@ -24,22 +25,22 @@ def require(holds, sentence):
         raise RuntimeError(sentence)
 
 
-def kernels(*given):
+def kernels(*given, faces=()):
     """The module of compiled operations on such tensors. None: NumPy does the work."""
-    is_single = all(each is None or each.dtype == torch.float32 for each in given)
-    if is_single and labs.package == "reference" and compiled.is_installed():
+    fit = all(each is None or each.dtype == torch.float32 for each in given) and len(faces) <= EXACT
+    if fit and labs.package == "reference" and compiled.is_installed():
         return labs.float_kernels
     return None
 
 
 def first_order(backward):
     """A Function's backward pass, for numbers alone. PyTorch says so if it is differentiated."""
-    @once_differentiable
     def of_numbers(ctx, *grads):
         return backward(ctx, *(grad if grad is None else grad.detach().contiguous()
                                for grad in grads))
 
-    return of_numbers
+    once = once_differentiable(of_numbers)  # takes time: for create_graph=True alone
+    return lambda *given: (once if torch.is_grad_enabled() else of_numbers)(*given)
 
 
 def array(name, tensor, shape, types=FLOATS):

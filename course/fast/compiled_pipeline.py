@@ -38,6 +38,8 @@ CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 def on_all_cores(function, size, work):
     """function(first, end) for parts of size, one for each thread that so much work is worth."""
     threads = threads_for(work)
+    if threads == 1:
+        return [function(0, size)]
     return list(each_band(function, parts(size, threads), threads))
 
 
@@ -175,8 +177,8 @@ def all_pairs(face_index, depth, clip, points, faces, opposite, walks=True):
 
     pixels = BAND // 8 if len(faces) > width * height else BAND  # whose faces stay in the cache
     found, beside = zip(*in_bands(band, width, height, pixels), strict=True)
-    *pairs, (owner, other, face) = map(in_order, zip(*found, strict=True),
-                                       zip(*beside, strict=True))
+    *pairs, (owner, other, face) = found[0] if len(found) == 1 else map(
+        in_order, zip(*found, strict=True), zip(*beside, strict=True))
     through = outlines.Pairs(owner, other, *[None] * 4, face, None)
     return intersections.with_meetings(outlines.Pairs(*pairs), through, face_index, clip, faces,
                                        opposite)
@@ -192,8 +194,6 @@ def room_for_pairs(count):
 
 def in_order(parts, beside):
     """A field of bands, of which the first k pairs are beside each other -> that of all."""
-    if len(parts) == 1:
-        return parts[0]
     return np.concatenate([part[..., :k] for part, k in zip(parts, beside, strict=True)]
                           + [part[..., k:] for part, k in zip(parts, beside, strict=True)], -1)
 
@@ -220,9 +220,8 @@ def draw(clip, faces, opposite, material, width, height, background):
                                        np.ascontiguousarray(material.colours, float),
                                        tuple(map(float, background)))
     pairs = all_pairs(face_index, depth, clip, points, faces, np.asarray(opposite, np.intp))
-    picture = colour.copy()
-    pair_kernels.blend(picture.ravel(), colour.ravel(), pairs, constant(len(background)))
-    return picture, pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
+    buffers = pipeline.Buffers(clip, face_index, depth, barycentric, colour, pairs)
+    return blend_pairs(colour, pairs), buffers
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
@@ -266,48 +265,46 @@ def looked_up(clip, face_index, material, faces):
 
 def through_texture(grad_picture, buffers, faces, material):
     """The way back through a texture, and through the blended pairs."""
-    grad_edges = np.zeros(buffers.clip.shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grad_edges)
-    grad_colour = grad_picture.copy()
-    channels = grad_picture.shape[2]
-    np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
+    grad_colour, grad_edges = pairs_backward(grad_picture, buffers, faces)
     grad_material, grad_clip = textured_backward(
         grad_colour, buffers.clip, buffers.face_index, material, faces)
     return grad_material, grad_clip + grad_edges
 
 
-def pairs_backward(grad_picture, buffers, faces, grad_clip, epsilon=0.0):
-    """Adds the gradients of the blended edges to grad_clip (V, 4), and finds those of their pixels'
-    colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each. epsilon: of
-    `crossing_backward`.
-    """
-    height, width, channels = grad_picture.shape
+def pairs_backward(grad_picture, buffers, faces):
+    """The way back through the blended pairs: grad_colour (H, W, C), grad_clip (V, 4)."""
     pairs = outlines.Pairs(*map(np.ascontiguousarray, buffers.pairs))
-    where = pairs, (height, width), buffers.clip, faces
-    points = intersections.points(*where)
-    grad_points, grad_pixels = np.zeros(points.shape), np.empty((len(pairs.c), 2, channels))
-    are_there = pair_kernels.blend_backward(
-        grad_picture.ravel(), buffers.colour.ravel(), pairs, constant(channels), points,
-        pair_kernels.Sides(width, height, epsilon), grad_points, grad_pixels)
-    if not are_there:
+    where = pairs, grad_picture.shape[:2], buffers.clip, faces
+    grad_colour, grad_points = blend_pairs_backward(grad_picture, buffers.colour, pairs,
+                                                    intersections.points(*where))
+    return grad_colour, intersections.points_backward(grad_points, *where)
+
+
+def blend_pairs(colour, pairs):
+    """`antialiasing.blend_pairs`."""
+    picture = colour.copy()
+    pair_kernels.blend(picture.reshape(-1), colour.ravel(), pairs, constant(colour.shape[2]))
+    return picture
+
+
+def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon=0.0):
+    """`antialiasing.blend_pairs_backward`."""
+    (height, width, channels), grad_clip = grad_picture.shape, np.zeros(clip.shape)
+    grad_colour, sides = grad_picture.copy(), pair_kernels.Sides(width, height, epsilon)
+    if not pair_kernels.blend_backward(grad_picture.ravel(), colour.ravel(), pairs,
+                                       constant(channels), clip, sides, grad_clip,
+                                       grad_colour.reshape(-1)):
         raise IndexError("pairs name pixels or vertices that are not there: give the Buffers of "
                          "this picture")
-    grad_clip += intersections.points_backward(grad_points, *where)
-    pixels = np.stack([pairs.owner[:len(pairs.c)], pairs.other[:len(pairs.c)]], -1)
-    return pixels.ravel(), grad_pixels.ravel()
+    return grad_colour, grad_clip
 
 
 def through_colours(grad_picture, buffers, faces, material):
     """The way back through colours of the vertices, and through the blended pairs."""
     shape = pixel_kernels.Shape(buffers.clip, faces, np.ascontiguousarray(material.colours, float))
-    grads = through_pixels(grad_picture, buffers.face_index, shape)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, faces, grads[0])
-    channels = grad_picture.shape[2]
-    records = room_for(len(pixels), channels)
-    count = pixel_kernels.gradient_pixels(grad_pixels, pixels, grid_of(buffers.face_index), shape,
-                                          constant(channels), records)
-    pixel_kernels.add_runs(faces, count, records, *grads)
-    return pipeline.Colours(grads[1]), grads[0]
+    grad_colour, grad_edges = pairs_backward(grad_picture, buffers, faces)
+    grad_clip, grad_colours = through_pixels(grad_colour, buffers.face_index, shape)
+    return pipeline.Colours(grad_colours), grad_clip + grad_edges
 
 
 def through_pixels(grad_picture, face_index, shape):

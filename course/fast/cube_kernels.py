@@ -18,8 +18,8 @@ from .cube_maps import FRAMES, SHORTEST
 from .texel_kernels import constant
 from .texturing import Sampler
 
-# Of N pixels: directions (N, 3), their changes (N or 0, 6), a bias (N or 0, 1); and which filter.
-Directions = namedtuple("Directions", "directions changes bias blends is_nearest")
+# Of N pixels: directions (N, 3), their changes (N or 1, 6), a bias (N or 1, 1); and which filter.
+Directions = namedtuple("Directions", "directions changes bias has_changes blends is_nearest")
 
 # What a pixel sees: a place on a face, the lower level, and the share of the upper.
 OnCube = namedtuple("OnCube", "face u v level share")
@@ -47,33 +47,39 @@ def on_face(x, y, z):
 
 
 @kernel
-def level_at(look, n, at, size):
-    """Eqs. (13) and (6), and the bias, of pixel n at a face, u, v and m."""
-    level = np.float64(look.bias[n, 0]) if len(look.bias) else 0.0
-    if len(look.changes):
-        d, (face, u, v, m) = look.changes[n], at
-        s_x, t_x, m_x = turned(face, np.float64(d[0]), np.float64(d[2]), np.float64(d[4]))
-        s_y, t_y, m_y = turned(face, np.float64(d[1]), np.float64(d[3]), np.float64(d[5]))
-        s_x, t_x = s_x - (2 * u - 1) * m_x, t_x - (2 * v - 1) * m_x
-        s_y, t_y = s_y - (2 * u - 1) * m_y, t_y - (2 * v - 1) * m_y
-        A, B, C = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y, s_x * s_y + t_x * t_y
-        squared = (A + B) / 2 + np.sqrt((A - B) * (A - B) / 4 + C * C)
-        level += np.log2(squared * (size / (2 * m)) * (size / (2 * m))) / 2
-    return level
+def level_at(at, changes, size):
+    """Eqs. (13) and (6) at a face, u, v and m. changes: d_x and d_y in turn."""
+    (face, u, v, m), (x_x, x_y, y_x, y_y, z_x, z_y) = at, changes
+    s_x, t_x, m_x = turned(face, x_x, y_x, z_x)
+    s_y, t_y, m_y = turned(face, x_y, y_y, z_y)
+    s_x, t_x = s_x - (2 * u - 1) * m_x, t_x - (2 * v - 1) * m_x
+    s_y, t_y = s_y - (2 * u - 1) * m_y, t_y - (2 * v - 1) * m_y
+    A, B, C = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y, s_x * s_y + t_x * t_y
+    squared = (A + B) / 2 + np.sqrt((A - B) * (A - B) / 4 + C * C)
+    return np.log2(squared * (size / (2 * m)) * (size / (2 * m))) / 2
 
 
 @kernel
-def sight(look, n, pyramid):
+def numbers_of(look, n):
+    """Direction, changes and bias of pixel n. Kernels take them as numbers: of arrays, numba would
+    count the owners, for longer than all the rest takes.
+    """
+    d, c, b = look.directions[n], look.changes[n % len(look.changes)], look.bias[n % len(look.bias)]
+    return ((np.float64(d[0]), np.float64(d[1]), np.float64(d[2])),
+            (np.float64(c[0]), np.float64(c[1]), np.float64(c[2]),
+             np.float64(c[3]), np.float64(c[4]), np.float64(c[5])), np.float64(b[0]))
+
+
+@kernel
+def sight(direction, changes, bias, has_changes, blends, top, size):
     """What pixel n sees. Face -1: nothing."""
-    top = len(pyramid.start) - 1
-    x, y, z = (np.float64(look.directions[n, 0]), np.float64(look.directions[n, 1]),
-               np.float64(look.directions[n, 2]))
+    x, y, z = direction
     if not SHORTEST < max(abs(x), abs(y), abs(z)) < np.inf or np.isnan(x + y + z):
         return OnCube(-1, 0.0, 0.0, 0, 0.0)
     at = on_face(x, y, z)
-    level = level_at(look, n, at, pyramid.width[0]) if top else 0.0
+    level = bias + (level_at(at, changes, size) if has_changes else 0.0) if top else 0.0
     level = min(level, float(top)) if level > 0 else 0.0  # also where it is no number
-    share = level - int(level) if look.blends else 0.0
+    share = level - int(level) if blends else 0.0
     return OnCube(at[0], at[1], at[2], int(level), share)
 
 
@@ -102,6 +108,9 @@ def four_taps(at, size):
     column, row = int(np.floor(x)), int(np.floor(y))
     a, b = x - column, y - row
     A, B, C, D = (1 - b) * (1 - a), (1 - b) * a, b * (1 - a), b * a
+    if 0 <= column < size - 1 and 0 <= row < size - 1:
+        i = (at.face * size + row) * size + column
+        return (i, i + 1, i + size, i + size + 1), (A, B, C, D)
     i, j = across_edge(at.face, column, row, size), across_edge(at.face, column + 1, row, size)
     k = across_edge(at.face, column, row + 1, size)
     m = across_edge(at.face, column + 1, row + 1, size)
@@ -129,9 +138,9 @@ def taps(look, at, level, pyramid, size):
 @kernel
 def look_up(look, pyramid, part, colour, channels):
     """Writes the colours (N, C), 0 before, of pixels in a part."""
-    count = np.uintp(len(channels))
+    count, top, size = np.uintp(len(channels)), len(pyramid.start) - 1, pyramid.width[0]
     for n in range(*part):
-        at = sight(look, n, pyramid)
+        at = sight(*numbers_of(look, n), look.has_changes, look.blends, top, size)
         for level in range(at.level, at.level + (at.face >= 0) + (at.share > 0)):
             texels = pyramid.smaller if level else pyramid.image
             (i, j, k, m), (A, B, C, D) = taps(look, at, level, pyramid, len(channels))
@@ -143,9 +152,9 @@ def look_up(look, pyramid, part, colour, channels):
 @kernel
 def add_up(look, grads, grad_colour, channels):
     """Backward of `look_up`: adds to a pyramid of gradients."""
-    count = np.uintp(len(channels))
+    count, top, size = np.uintp(len(channels)), len(grads.start) - 1, grads.width[0]
     for n in range(len(look.directions)):
-        at = sight(look, n, grads)
+        at = sight(*numbers_of(look, n), look.has_changes, look.blends, top, size)
         for level in range(at.level, at.level + (at.face >= 0) + (at.share > 0)):
             texels = grads.smaller if level else grads.image
             (i, j, k, m), (A, B, C, D) = taps(look, at, level, grads, len(channels))
@@ -157,13 +166,12 @@ def add_up(look, grads, grad_colour, channels):
                 texels[m + c] += D * grad
 
 
-def looked_at(image, parts, filter_mode, top):
-    """Directions, pyramid and channels of what is looked up."""
-    parts = (np.empty((0, size), np.float32) if part is None else part.reshape(-1, size)
-             for part, size in zip(parts, (3, 6, 1), strict=True))
-    look = Directions(*parts, filter_mode == "linear-mipmap-linear", filter_mode == "nearest")
-    channels = constant(image.shape[2])
-    return look, pyramid_kernels.make_pyramid(image, Sampler("mipmap", "", top), channels), channels
+def looked_at(parts, filter_mode):
+    """Directions of these parts, for a filter."""
+    flat = (np.zeros((1, size), np.float32) if part is None else part.reshape(-1, size)
+            for part, size in zip(parts, (3, 6, 1), strict=True))
+    return Directions(*flat, parts[1] is not None, filter_mode == "linear-mipmap-linear",
+                      filter_mode == "nearest")
 
 
 def cube_colours(image, directions, changes, bias, filter_mode, _, top):
@@ -171,7 +179,8 @@ def cube_colours(image, directions, changes, bias, filter_mode, _, top):
 
     directions (N, 3), their changes (N, 3, 2) or None, bias (N,) or None. All is float32.
     """
-    look, pyramid, channels = looked_at(image, (directions, changes, bias), filter_mode, top)
+    look, channels = looked_at((directions, changes, bias), filter_mode), constant(image.shape[2])
+    pyramid = pyramid_kernels.make_pyramid(image, Sampler("mipmap", "", top), channels)
     colour = np.zeros((len(directions), len(channels)), np.float32)
     on_all_cores(lambda *part: look_up(look, pyramid, part, colour, channels),
                  len(colour), len(colour))
@@ -180,8 +189,9 @@ def cube_colours(image, directions, changes, bias, filter_mode, _, top):
 
 def cube_colours_backward(grad_colour, image, directions, changes, bias, filter_mode, _, top):
     """Backward of `cube_colours`: grad_colour (N, C) -> grad_image. Others are None."""
-    look, grads, channels = looked_at(np.zeros(image.shape), (directions, changes, bias),
-                                     filter_mode, top)
+    look, channels = looked_at((directions, changes, bias), filter_mode), constant(image.shape[2])
+    grads = pyramid_kernels.room_for_pyramid(np.zeros(image.shape), Sampler("mipmap", "", top),
+                                             np.zeros)
     add_up(look, grads, grad_colour, channels)
     pyramid_kernels.add_to_image(grads, channels)
     return grads.image.reshape(image.shape), None, None, None

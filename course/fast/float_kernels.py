@@ -2,10 +2,9 @@
 
     draw_pixels                       labs 2, 5 and 7, by put_runs and, on the way back,
                                       footprint_kernels
-    unpacked                          what rast sees
     mix_attributes                    lab 5, by mix_corners
-    blended_pairs, blend_pairs        lab 8 as nvdiffrast has it, by pair_kernels
-    blend_pairs_backward
+    unpacked, blended_pairs           what lab 8 blends as nvdiffrast has it, by pair_kernels.
+                                      compiled_pipeline blends it
 
 rast (H, W, 4) has u, v, z/w and the face's number + 1, rast_db du/dX, du/dY, dv/dX, dv/dY.
 
@@ -13,12 +12,13 @@ Arithmetic is of 64 bits, and what is found is NumPy's to rounding.
 """
 import numpy as np
 
-from course.given import inputs
 from course.given.compiled import each_band, kernel
 
-from . import compiled_pipeline, footprint_kernels, pair_kernels, pipeline, scanline
+from . import compiled_pipeline, footprint_kernels, scanline
 from .compiled_pipeline import on_all_cores
 from .texel_kernels import constant
+
+UNIT = np.eye(3, 2, -1), np.arange(3)[None]  # u and v at a face's corners: 0, 0; 1, 0; 0, 1
 
 
 @kernel
@@ -28,11 +28,30 @@ def corners_of(faces, face):
 
 
 @kernel
-def unpack(rast, face_index, depth):
-    """Writes face_index (P,) and depth (P,), inf where no face is seen."""
+def are_vertices(faces, vertex_count):
+    """Are all corners of faces vertices?"""
+    least, most = 0, 0
+    for face in range(len(faces)):
+        for k in range(3):
+            least, most = min(least, faces[face, k]), max(most, faces[face, k])
+    return least >= 0 and most < vertex_count
+
+
+@kernel
+def face_in(rast, p):
+    """The face that pixel p sees, negative for none."""
+    return np.int64(np.int32(rast[p, 3])) - 1
+
+
+@kernel
+def unpack(rast, faces, vertex_count, face_index, depth):
+    """Writes face_index (P,) and depth (P,), inf where no face is seen -> whether all is there."""
     for p in range(np.uintp(len(rast))):
-        face_index[p] = max(np.int32(rast[p, 3]) - 1, -1)
+        face_index[p] = max(face_in(rast, p), -1)
         depth[p] = rast[p, 2] if face_index[p] >= 0 else np.inf
+        if face_index[p] >= len(faces):
+            return False
+    return are_vertices(faces, vertex_count)
 
 
 @kernel
@@ -70,42 +89,41 @@ def put_runs(runs, seen, points, faces, first, rast, rast_db):
 @kernel
 def mix_corners(values, faces, look, channels, part, out):
     """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before.
+    Returns whether all is there.
 
-    look: face_index (P,), the weights of two corners (P, 2), and the sum of all three. channels: a
+    look: rast (P, 4), the weights of two corners (P, 2), and the sum of all three. channels: a
     tuple of A numbers, so that A is known when this is compiled.
     """
-    face_index, uv, total = look
+    rast, uv, total = look
     for p in range(np.uintp(part[0]), np.uintp(part[1])):
-        if face_index[p] >= 0:
-            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+        face = face_in(rast, p)
+        if face >= len(faces):
+            return False
+        if face >= 0:
+            i, j, k = corners_of(faces, np.uintp(face))
             u, v = np.float64(uv[p, 0]), np.float64(uv[p, 1])
             for c in range(np.uintp(len(channels))):
                 out[p, c] = u * values[i, c] + v * values[j, c] + (total - u - v) * values[k, c]
+    return part[0] > 0 or are_vertices(faces, len(values))
 
 
 @kernel
 def mix_corners_backward(grad_out, values, faces, look, channels, grad_values, grad_uv):
     """Eq. (7): grad_out (P, A) adds to grad_values (V, A), and goes to grad_uv (P, 2)."""
-    face_index, uv, total = look
-    for p in range(np.uintp(len(face_index))):
-        if face_index[p] >= 0:
-            i, j, k = corners_of(faces, np.uintp(face_index[p]))
+    rast, uv, total = look
+    for p in range(np.uintp(len(rast))):
+        face = face_in(rast, p)
+        if face >= 0:
+            i, j, k = corners_of(faces, np.uintp(face))
             u, v, grad_u, grad_v = np.float64(uv[p, 0]), np.float64(uv[p, 1]), 0.0, 0.0
             for c in range(np.uintp(len(channels))):
-                grad = np.float64(grad_out[p, c])
-                grad_u += grad * (values[i, c] - values[k, c])
-                grad_v += grad * (values[j, c] - values[k, c])
+                grad, last = np.float64(grad_out[p, c]), np.float64(values[k, c])
+                grad_u += grad * (values[i, c] - last)
+                grad_v += grad * (values[j, c] - last)
                 grad_values[i, c] += u * grad
                 grad_values[j, c] += v * grad
                 grad_values[k, c] += (total - u - v) * grad
             grad_uv[p, 0], grad_uv[p, 1] = grad_u, grad_v
-
-
-def sound(vertices, faces):
-    """vertices in 64 bits. ValueError if faces name some that are not there."""
-    if faces.size and not 0 <= faces.min() <= faces.max() < len(vertices):
-        inputs.require_faces(faces, len(vertices))
-    return np.ascontiguousarray(vertices, float)
 
 
 def draw_pixels(clip, faces, first, beyond, rast, rast_db):
@@ -120,68 +138,50 @@ def draw_pixels(clip, faces, first, beyond, rast, rast_db):
     else:
         points, _ = compiled_pipeline.screen_vertices(clip, width, height)
         face_index, depth = scanline.rasterize(clip, faces, width, height, beyond)
-    pixels, changes = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
-    seen = footprint_kernels.flat(face_index), depth.ravel()
-    bands = [(runs._replace(number=runs.start),)
-             for runs, in footprint_kernels.runs_in_bands(face_index)]
-    list(each_band(lambda runs: put_runs(runs, seen, points, faces, first, pixels, changes), bands))
+    given = (footprint_kernels.flat(face_index), depth.ravel()), points, faces, first
+    rasts = rast.reshape(-1, 4), rast_db.reshape(-1, 4)
+    bands = footprint_kernels.runs_in_bands(face_index, counts_all=True)
+    list(each_band(lambda runs: put_runs(runs, *given, *rasts), bands))
     return face_index, depth, bands
 
 
 def draw_pixels_backward(grad_rast, grad_rast_db, face_index, bands, clip, faces, epsilon):
     """Backward of `draw_pixels` -> grad_clip (V, 4). A gradient that is None is 0."""
     faces = faces[:, (2, 0, 1)]  # the first one has 0 for u and for v
-    mesh = footprint_kernels.Wrapped(sound(clip, faces), faces, np.eye(3, 2, -1),
-                                     np.broadcast_to(np.arange(3), faces.shape), epsilon)
+    mesh = footprint_kernels.Wrapped(np.asarray(clip, float), faces, *UNIT, epsilon)
     grads = (np.zeros((size, 4), np.float32) if grad is None else grad.reshape(-1, 4)
              for grad, size in ((grad_rast, face_index.size), (grad_rast_db, 0)))
     return footprint_kernels.gradients(*grads, footprint_kernels.flat(face_index), mesh, bands)[1]
 
 
-def unpacked(rast):
-    """face_index and depth (H, W) of what rast sees."""
-    face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2], np.float32)
-    unpack(rast.reshape(-1, 4), face_index.reshape(-1), depth.reshape(-1))
-    return face_index, depth
-
-
-def mix_attributes(values, faces, face_index, uv, total, out):
-    """Writes lab 5's `interpolate` of values (V, A) to out (P, A), 0 before. uv (P, 2): the weights
-    of two corners; total: the sum of all three.
+def mix_attributes(values, faces, rast, uv, total, out):
+    """Writes lab 5's `interpolate` of values (V, A) to out (P, A), 0 before -> whether all is
+    there. uv (P, 2): the weights of two corners; total: the sum of all three.
     """
-    given = sound(values, faces), faces, (face_index.ravel(), uv, total), constant(out.shape[1])
-    on_all_cores(lambda *part: mix_corners(*given, part, out), len(out), len(out))
+    given = (np.ascontiguousarray(values), faces, (rast.reshape(-1, 4), uv, total),
+             constant(out.shape[1]))
+    return all(on_all_cores(lambda *part: mix_corners(*given, part, out), len(out), len(out)))
 
 
-def mix_attributes_backward(grad_out, values, faces, face_index, uv, total, grad_uv):
+def mix_attributes_backward(grad_out, values, faces, rast, uv, total, grad_uv):
     """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
-    values, grad_values = sound(values, faces), np.zeros(values.shape)
-    mix_corners_backward(grad_out, values, faces, (face_index.ravel(), uv, total),
+    values, grad_values = np.ascontiguousarray(values), np.zeros(values.shape)
+    mix_corners_backward(grad_out, values, faces, (rast.reshape(-1, 4), uv, total),
                          constant(values.shape[1]), grad_values, grad_uv)
     return grad_values
 
 
+def unpacked(rast, faces, vertex_count):
+    """face_index and depth (H, W) of what rast sees. None: it or faces name what is not there."""
+    face_index, depth = np.empty(rast.shape[:2], np.int32), np.empty(rast.shape[:2], np.float32)
+    is_whole = unpack(rast.reshape(-1, 4), faces, vertex_count, face_index.reshape(-1),
+                      depth.reshape(-1))
+    return (face_index, depth) if is_whole else None
+
+
 def blended_pairs(face_index, depth, clip, faces, opposite):
     """`outlines.blended_pairs`."""
-    clip = sound(clip, faces)
+    clip = np.asarray(clip, float)
     points, _ = compiled_pipeline.screen_vertices(clip, *face_index.shape[::-1])
     return compiled_pipeline.all_pairs(face_index, depth, clip, points, faces, opposite,
                                        walks=False)
-
-
-def blend_pairs(colour, pairs):
-    """`antialiasing.blend_pairs`."""
-    picture = colour.copy()
-    pair_kernels.blend(picture.reshape(-1), colour.reshape(-1), pairs, constant(colour.shape[2]))
-    return picture
-
-
-def blend_pairs_backward(grad_picture, colour, pairs, clip, epsilon):
-    """`antialiasing.blend_pairs_backward`."""
-    grad_clip, grad_colour = np.zeros(clip.shape), grad_picture.copy()
-    buffers = pipeline.Buffers(np.asarray(clip, float), None, None, None, colour, pairs)
-    pixels, grads = compiled_pipeline.pairs_backward(grad_picture, buffers, None, grad_clip,
-                                                     epsilon)
-    channels = colour.shape[2]
-    np.add.at(grad_colour.reshape(-1, channels), pixels, grads.reshape(-1, channels))
-    return grad_colour, grad_clip

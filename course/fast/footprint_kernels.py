@@ -24,7 +24,7 @@ Runs = namedtuple("Runs", "start end number")
 # A flat one: the face that each pixel sees (H W,), -1 for none, and how wide it is.
 Picture = namedtuple("Picture", "face_index width")
 
-# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F, 3), uv (T, 2), epsilon of (8) there.
+# x, y, w on screen (V, 3) or clip (V, 4), faces, uv_faces (F or 1, 3), uv (T, 2), (8)'s epsilon.
 Wrapped = namedtuple("Wrapped", "vertices faces uv uv_faces epsilon")
 
 # Of a face: x, y and w on screen, or q_k of rasterizer_gradients.py. Or a normal n_k, whose w is
@@ -39,8 +39,8 @@ Look = namedtuple("Look", "record number count X Y step_x step_y unit epsilon")
 
 
 @kernel
-def seen_runs(picture):
-    """The Runs of a Picture that see a face."""
+def seen_runs(picture, counts_all):
+    """The Runs of a Picture that see a face. counts_all: number counts all pixels."""
     face_index, width = picture
     starts, ends, numbers = np.empty((3, len(face_index)), np.int32)
     count, number = 0, 0
@@ -51,7 +51,8 @@ def seen_runs(picture):
             while end < last and face_index[end] == face_index[start]:
                 end += 1
             if face_index[start] >= 0:
-                starts[count], ends[count], numbers[count] = start, end, number
+                starts[count], ends[count] = start, end
+                numbers[count] = start if counts_all else number
                 count, number = count + 1, number + end - start
             start = end
     return Runs(starts[:count].copy(), ends[:count].copy(), numbers[:count].copy())
@@ -267,7 +268,7 @@ def run_gradients(runs, picture, mesh, grad_at, grad_footprint, records):
                     epsilon * unit * unit)
         corners = (vector_from(clip, a, look), vector_from(clip, b, look),
                    vector_from(clip, c, look))
-        places = places_of(uv, uv_faces, face)
+        places = places_of(uv, uv_faces, min(face, len(uv_faces) - 1))
         look_backward(look, corners, places, grad_at, grad_footprint, records)
 
 
@@ -279,7 +280,7 @@ def add_to_corners(runs, face_index, mesh, records, grad_clip, grad_uv):
     for run in range(len(runs.start)):
         face = face_index[runs.start[run]]
         for k in range(3):
-            vertex, place = faces[face, k], uv_faces[face, k]
+            vertex, place = faces[face, k], uv_faces[min(face, len(uv_faces) - 1), k]
             grad_clip[vertex, 0] += to_corners[run, k, 0]
             grad_clip[vertex, 1] += to_corners[run, k, 1]
             grad_clip[vertex, 3] += to_corners[run, k, 2]
@@ -292,9 +293,9 @@ def flat(face_index):
     return Picture(face_index.ravel(), face_index.shape[1])
 
 
-def runs_in_bands(face_index):
+def runs_in_bands(face_index, counts_all=False):
     """The runs of a picture (H, W), in bands of about so many pixels as a thread takes."""
-    runs = seen_runs(flat(face_index))
+    runs = seen_runs(flat(face_index), counts_all)
     size = 1 + len(runs.start) // (1 + face_index.size // pyramid_kernels.STEP)
     return [(Runs(*(part[k:k + size] for part in runs)),)
             for k in range(0, len(runs.start), size)]

@@ -305,9 +305,9 @@ def are_whole(pairs):
 
 
 @kernel
-def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip, grad_pixels):
-    """Backward of `blend`: adds those of edges to grad_clip (V, 4), and finds what the pixels
-    get beside grad_picture: grad_pixels (N, 2, C), owner and other -> whether all are there.
+def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip, grad_colour):
+    """Backward of `blend`: adds those of edges to grad_clip (V, 4), and those of pixels to
+    grad_colour, a copy of grad_picture before -> whether all are there.
     """
     if not are_whole(pairs):
         return False
@@ -315,7 +315,7 @@ def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip
         if not is_there(pairs, n, sides.width * sides.height, len(clip)):
             return False
         owner, other = pairs.owner[n], pairs.other[n]
-        grad_alpha = alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels)
+        grad_alpha = alpha_backward(grad_picture, colour, pairs, n, channels, grad_colour)
         if 0 < pairs.c[n] < 1:
             step = Step(other % sides.width - owner % sides.width,
                         other // sides.width - owner // sides.width, sides.width, sides.height)
@@ -324,8 +324,8 @@ def blend_backward(grad_picture, colour, pairs, channels, clip, sides, grad_clip
 
 
 @kernel
-def alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels):
-    """The gradient of a pair's alpha, and of its pixels' colours."""
+def alpha_backward(grad_picture, colour, pairs, n, channels, grad_colour):
+    """The gradient of a pair's alpha. Adds those of its pixels' colours."""
     count = len(channels)
     owner, other = pairs.owner[n] * count, pairs.other[n] * count
     alpha = 0.5 - min(max(pairs.c[n], 0.0), 1.0)
@@ -334,8 +334,8 @@ def alpha_backward(grad_picture, colour, pairs, n, channels, grad_pixels):
     for k in range(count):
         grad_changed = grad_picture[changed + k]
         grad_alpha += grad_changed * (colour[other + k] - colour[owner + k])
-        grad_pixels[n, 0, k] = -alpha * grad_changed
-        grad_pixels[n, 1, k] = alpha * grad_changed
+        grad_colour[owner + k] -= alpha * grad_changed
+        grad_colour[other + k] += alpha * grad_changed
     return grad_alpha
 
 

@@ -300,23 +300,6 @@ def gradient_rows(grad_picture, grid, shape, rows, channels, records):
 
 
 @kernel
-def gradient_pixels(grad_pixels, pixels, grid, shape, channels, records):
-    """The same for single pixels (N,), which may repeat: runs of length 1. All are there."""
-    along = room_along(1)
-    n = 0
-    for number in range(np.uintp(len(pixels))):
-        pixel = pixels[number]
-        face = grid.face_index[pixel]
-        if face >= 0:
-            X = (2 * (pixel % grid.width) + 1) / grid.width - 1
-            Y = (2 * (pixel // grid.width) + 1) / grid.height - 1
-            sight = Sight(face, number * np.uintp(len(channels)), np.uintp(1), X, Y, 0.0)
-            run_backward(grad_pixels, sight, shape, channels, along, n, records)
-            n += 1
-    return n
-
-
-@kernel
 def add_runs(faces, count, records, grad_clip, grad_colours):
     """The first of the records -> grad_clip (V, 4), grad_colours (V, C)."""
     for n in range(count):

@@ -44,13 +44,14 @@ def halve_rows_backward(level, half, first, end, channels):
     """Adds the gradient of the Level half to rows first <= i < end of that of the one below it."""
     size = len(channels)
     columns, rows = min(level.width, 2), min(level.height, 2)
-    texels, halves = level.texels, half.texels
+    texels, halves, share = level.texels, half.texels, 1 / (rows * columns)
     for i in range(first, end):
         low, to = level.start + i * level.width * size, half.start + (i // rows) * half.width * size
-        for j in range(level.width):
+        for j in range(half.width):
             for k in range(size):
-                texels[np.uintp(low + j * size + k)] += (
-                    halves[np.uintp(to + (j // columns) * size + k)] / (rows * columns))
+                grad = share * halves[np.uintp(to + j * size + k)]
+                for beside in range(columns):
+                    texels[np.uintp(low + (j * columns + beside) * size + k)] += grad
 
 
 @kernel
@@ -109,16 +110,21 @@ def between_levels(halve, pyramid, level, rows, channels):
              rows, max(STEP // int(below.width), 1))
 
 
-def make_pyramid(image, sampler, channels):
-    """`mipmapping.pyramid`, of image (h, w, C), for a sampler."""
+def room_for_pyramid(image, sampler, room):
+    """A Pyramid of image (h, w, C), for a sampler, with `room` for its smaller levels."""
     levels = mipmapping.pyramid(image[..., :0], sampler.max_level if "mipmap" in sampler.filter_mode
                                 else 0)  # only their shapes
     height, width, _ = np.transpose([level.shape for level in levels])
     count = height * width * image.shape[2]
     start = np.append([0, 0], np.cumsum(count[1:]))[:len(levels)]
-    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum(), image.dtype), start, width, height)
-    for level in range(1, len(levels)):
-        between_levels(halve_rows, pyramid, level, height[level], channels)
+    return Pyramid(image.ravel(), room(count[1:].sum(), image.dtype), start, width, height)
+
+
+def make_pyramid(image, sampler, channels):
+    """`mipmapping.pyramid`, of image (h, w, C), for a sampler."""
+    pyramid = room_for_pyramid(image, sampler, np.empty)
+    for level in range(1, len(pyramid.start)):
+        between_levels(halve_rows, pyramid, level, pyramid.height[level], channels)
     return pyramid
 
 

@@ -109,10 +109,9 @@ def each_band(function, bands, threads=None):
 
     Two bands must not write to one place. Kernels run at the same time, Python does not.
     """
-    threads = threads or cores()
-    if threads == 1 or len(bands) <= 1:
+    if len(bands) <= 1 or (threads or cores()) == 1:
         return itertools.starmap(function, bands)
-    return in_threads(function, bands, threads)
+    return in_threads(function, bands, threads or cores())
 
 
 def in_threads(function, bands, threads):

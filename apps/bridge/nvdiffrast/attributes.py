@@ -7,7 +7,7 @@ import torch
 from apps.bridge import tensors
 from apps.bridge.tensors import INTEGERS, array, joined, require
 
-from .pixels import seen_in
+from .pixels import faces_of, seen_in
 
 
 def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
@@ -25,9 +25,11 @@ def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
 
 def chosen_of(diff_attrs, count):
     """The numbers (D,), from 0 on, of those of count attributes that diff_attrs asks for."""
+    if diff_attrs is None:
+        return np.arange(0)
     if isinstance(diff_attrs, str) and diff_attrs == "all":
         return np.arange(count)
-    chosen = np.asarray([] if diff_attrs is None else diff_attrs)
+    chosen = np.asarray(diff_attrs)
     require(chosen.ndim == 1 and (chosen.dtype.kind in "iu" or not len(chosen)), "diff_attrs must "
             f'be None, "all" or a list of whole numbers; it is {diff_attrs}')
     require((np.abs(chosen + 0.5) < count).all(), f"diff_attrs must number some of {count} "
@@ -45,12 +47,11 @@ class Interpolate(torch.autograd.Function):
         faces, count = array("tri", tri, "f 3", INTEGERS), len(values)
         require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
                 f"pictures, as rast has; it has those of {count}")
-        kernels = tensors.kernels(attr, rast, rast_db)
-        ctx.way = kernels or sys.modules[__name__]
+        ctx.way = tensors.kernels(attr, rast, rast_db, faces=faces) or sys.modules[__name__]
         pictures = array("rast", rast, "n h w 4").reshape(count, -1, rast.shape[2], 4)
         changes = np.empty((count, 0, 4), np.float32) if rast_db is None else array(
             "rast_db", rast_db, f"{len(rast)} h w 4").reshape(pictures.shape)
-        ctx.given = [(value, faces, seen_in(pixels, len(faces), kernels)[0], pixels, change, chosen)
+        ctx.given = [(value, faces, pixels, change, chosen)
                      for value, pixels, change in zip(values, pictures, changes, strict=True)]
         out, out_da = zip(*(mixed(ctx.way, *given) for given in ctx.given), strict=True)
         ctx.save_for_backward(attr, rast, tri, rast_db)
@@ -82,18 +83,19 @@ def columns(chosen, rast, rast_db, out, out_da):
                None if out_da is None else out_da[:, axis::2])
 
 
-def mixed(way, values, faces, face_index, rast, rast_db, chosen):
+def mixed(way, values, faces, rast, rast_db, chosen):
     """Lab 5's `interpolate` of values (V, A) -> (P, A), and the derivatives of those chosen (D,),
-    (P, 2 D). face_index (H, W); rast and rast_db (H, W, 4).
+    (P, 2 D). rast and rast_db (H, W, 4).
     """
-    made = [np.zeros((face_index.size, count), values.dtype)
+    made = [np.zeros((rast.shape[0] * rast.shape[1], count), values.dtype)
             for count in (values.shape[1], 2 * len(chosen))]
     for of, uv, total, out in columns(chosen, rast, rast_db, *made):
-        way.mix_attributes(values[:, of], faces, face_index, uv, total, out)
+        if not way.mix_attributes(values[:, of], faces, rast, uv, total, out):
+            seen_in(rast, faces, len(values))  # says what is not there
     return made
 
 
-def mixed_backward(way, grad_out, grad_da, values, faces, face_index, rast, rast_db, chosen):
+def mixed_backward(way, grad_out, grad_da, values, faces, rast, rast_db, chosen):
     """Backward of `mixed` -> gradients of values, rast and rast_db. grad_out and grad_da may be
     None.
     """
@@ -102,8 +104,8 @@ def mixed_backward(way, grad_out, grad_da, values, faces, face_index, rast, rast
     into = columns(chosen, *grads[1:], None, None)
     for (of, uv, total, grad), (_, grad_uv, *_) in zip(looks, into, strict=True):
         if grad is not None:
-            by_corner = way.mix_attributes_backward(grad, values[:, of], faces, face_index, uv,
-                                                    total, grad_uv)
+            by_corner = way.mix_attributes_backward(grad, values[:, of], faces, rast, uv, total,
+                                                    grad_uv)
             for c, by in zip(np.arange(values.shape[1])[of], by_corner.T, strict=True):
                 grads[0][:, c] += by  # one by one, as chosen may have a number twice
     return grads
@@ -115,15 +117,18 @@ def corner_weights(face_index, uv, total):
     return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
 
 
-def mix_attributes(values, faces, face_index, uv, total, out):
-    """Writes `mixed` for one of `columns` to out (P, A)."""
+def mix_attributes(values, faces, rast, uv, total, out):
+    """Writes `mixed` for one of `columns` to out (P, A) -> whether all is there."""
+    face_index, _ = seen_in(rast, faces, len(values))
     weights = corner_weights(face_index, uv, total)
     out[...] = tensors.labs.interpolation.interpolate(values, faces, face_index,
                                                       weights).reshape(out.shape)
+    return True
 
 
-def mix_attributes_backward(grad_out, values, faces, face_index, uv, total, grad_uv):
+def mix_attributes_backward(grad_out, values, faces, rast, uv, total, grad_uv):
     """Backward of `mix_attributes`: writes to grad_uv (P, 2) -> grad_values (V, A)."""
+    face_index = faces_of(rast)
     by_corner, by_weight = tensors.labs.interpolation.interpolate_backward(
         grad_out.reshape(*face_index.shape, -1), values, faces, face_index,
         corner_weights(face_index, uv, total))

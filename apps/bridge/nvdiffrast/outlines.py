@@ -47,11 +47,14 @@ class Antialias(torch.autograd.Function):
         colours = array("color", color, "n h w c")
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = [], []
-        kernels = tensors.kernels(color, rast, pos)
-        ctx.lab8 = kernels or tensors.labs.outlines
+        kernels = tensors.kernels(color, rast, pos, faces=faces)
+        unpacked = kernels.unpacked if kernels else seen_in
+        ctx.lab8 = tensors.labs.compiled_pipeline if kernels else tensors.labs.outlines
         for n, clip in enumerate(vertices(pos, len(color))):
-            face_index, depth = seen_in(seen[n], len(faces), kernels)
-            ctx.pairs.append(ctx.lab8.blended_pairs(face_index, depth, clip, faces, opposite))
+            given = seen[n], faces, len(clip)
+            face_index, depth = unpacked(*given) or seen_in(*given)
+            ctx.pairs.append((kernels or ctx.lab8).blended_pairs(face_index, depth, clip, faces,
+                                                                 opposite))
             out.append(ctx.lab8.blend_pairs(colours[n], ctx.pairs[n]))
         ctx.save_for_backward(color, pos)
         ctx.boost = boost

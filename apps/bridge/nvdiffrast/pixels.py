@@ -6,11 +6,11 @@ import numpy as np
 import torch
 
 from apps.bridge import tensors
-from apps.bridge.tensors import INTEGERS, array, joined, require
+from apps.bridge.tensors import EXACT, INTEGERS, array, joined, require
+from course.given import inputs
 
 EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
-EXACT = 2**24   # so far, float32 holds all whole numbers; what is larger comes as in nvdiffrast:
-CODE = 0x4A800000  # the float32 whose bits are this and the number
+CODE = 0x4A800000  # a number above EXACT is the float32 whose bits are this and the number
 GRID = tensors.GRID
 
 
@@ -194,15 +194,12 @@ def faces_of(rast):
     return numbers.astype(np.int32) - np.int32(1)
 
 
-def seen_in(rast, count, kernels):
-    """The face, of so many, that each pixel of an array rast (H, W, 4) sees, -1 for none, and its
-    depth, inf for none: (H, W) each.
+def seen_in(rast, faces, vertex_count):
+    """The face that each pixel of an array rast (H, W, 4) sees, -1 for none, and its depth, inf
+    for none: (H, W) each. An error says what of faces or of their vertices is not there.
     """
-    if kernels and count <= EXACT:
-        face_index, depth = kernels.unpacked(rast)
-    else:
-        face_index = faces_of(rast)
-        depth = np.where(face_index < 0, np.inf, rast[..., 2])
-    require(face_index.max() < count, f"rast sees face {face_index.max(initial=-1)}, and tri has "
-            f"{count}: give the faces that rast was made of")
-    return face_index, depth
+    face_index = faces_of(rast)
+    require(face_index.max() < len(faces), f"rast sees face {face_index.max(initial=-1)}, and tri "
+            f"has {len(faces)}: give the faces that rast was made of")
+    inputs.require_faces(faces, vertex_count)
+    return face_index, np.where(face_index < 0, np.inf, rast[..., 2])

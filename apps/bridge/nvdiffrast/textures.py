@@ -69,7 +69,8 @@ def filter_of(mode, has_level, max_level):
     require(mode in filters, f"filter_mode must be auto or one of {', '.join(filters)}, not "
             f"{mode!r}")
     require("mipmap" not in mode or has_level, f"filter_mode {mode} needs uv_da or mip_level_bias")
-    return "linear" if max_level == 0 and "mipmap" in mode else mode
+    is_one = max_level is not None and int(max_level) == 0
+    return "linear" if is_one and "mipmap" in mode else mode
 
 
 def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
@@ -79,6 +80,7 @@ def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
 
 def levels_of(pictures, max_mip_level, is_cube):
     """The levels from 1 on of pictures as of `pictures_of`."""
+    max_mip_level = max_mip_level if max_mip_level is None else int(max_mip_level)
     require(max_mip_level is None or max_mip_level >= 0, f"max_mip_level must be 0 or more, not "
             f"{max_mip_level}")
     labs = tensors.labs

@@ -30,8 +30,8 @@ torch.save(there, "there.pt")
 for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, None:
     assert torch.equal(torch.load("there.pt", place), there)
     assert torch.equal(torch.load("there.pt", map_location=place), there)
-with torch.cuda.device(there.get_device()):
-    assert not isinstance(device, torch.cuda.device)
+with torch.cuda.device(there.get_device()), device:
+    assert torch.ones(1).is_cuda and not isinstance(device, torch.cuda.device)
 assert "cuda:%d" % there.device.index == "cuda:0" and there.to(there.device).is_cuda
 torch.rand(2, generator=torch.Generator("cuda").manual_seed(1), device=device)
 assert torch.cuda.get_device_properties(0).total_memory >= torch.cuda.mem_get_info()[0] > 0
