@@ -9,7 +9,6 @@ import json
 import os
 import re
 from importlib.metadata import distribution
-from xml.etree import ElementTree
 
 from docutils.nodes import SkipNode
 from py_mini_racer import MiniRacer
@@ -24,8 +23,6 @@ var global = this;
 """
 UNUSED = re.compile(r' (?:data-\S+|xmlns)="[^"]*"|(?<=>)\s+(?=<)')
 PLUS_EQUALS = "<mrow><mo>+</mo></mrow><mo>=</mo>", "<mo>+=</mo>"  # without a gap between the two
-MOST_LETTERS = 16  # of a formula in an excerpt of the search, which is to load fast
-JOINTS = {"mfrac": "/", "msup": "^", "msub": "_"}
 TAG = re.compile(r"\\tag\{(\w+)\}")
 
 
@@ -50,19 +47,6 @@ def formula(tex, display):
     if "merror" in found:
         raise ValueError(f"MathJax cannot read the formula {tex!r}")
     return UNUSED.sub("", found).replace(*PLUS_EQUALS)
-
-
-def in_letters(tex):
-    """A formula as one types it: H/f, e_0, (a+b)/2. What is long is left out."""
-    typed = _letters(ElementTree.fromstring(formula(tex, False))).replace("\u2061", "")
-    return typed.replace("\N{MINUS SIGN}", "-") if len(typed) <= MOST_LETTERS else "…"
-
-
-def _letters(part):
-    parts = [_letters(child) for child in part] or [part.text or ""]
-    joint = JOINTS.get(part.tag, "")
-    return joint.join(f"({each})" if joint and re.search(r".\W|\W.", each) else each
-                      for each in parts)
 
 
 def inline(translator, node):

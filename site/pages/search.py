@@ -12,7 +12,7 @@ import re
 from docutils import nodes
 from sphinx import addnodes
 
-from . import formulas, put, sources_course
+from . import put, sources_course
 
 SKIPPED = (nodes.literal_block, nodes.doctest_block, nodes.math_block, nodes.image,
            nodes.comment, nodes.title, nodes.term, addnodes.index, addnodes.toctree,
@@ -45,6 +45,11 @@ def write(app, fault):
     packed = gzip.compress(columns.encode("utf-8"), mtime=0)
     put(app.outdir / "search_records.js",
         f'const PACKED_RECORDS = "{base64.b64encode(packed).decode()}";\n')
+
+
+def short(tex):
+    """A formula that is read as it is typed, e_0. Others are left out: …"""
+    return "…" if "\\" in tex or len(tex) > 16 else tex
 
 
 def records(name, page):
@@ -90,7 +95,7 @@ def gather(node, parts):
         if not isinstance(child, nodes.Text):
             gather(child, parts)
         elif parts:
-            said = {nodes.raw: seen, nodes.math: formulas.in_letters}.get(type(node), str)
+            said = {nodes.raw: seen, nodes.math: short}.get(type(node), str)
             parts[-1][2].append(said(child.astext()))
     if parts and not isinstance(node, nodes.Inline):
         parts[-1][2].append(" ")
