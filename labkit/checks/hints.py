@@ -137,8 +137,7 @@ def in_part(exercise, found):
     named = {}
     for sentence, failed in known_mistakes().get(exercise, ()):
         if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
-            sure = len(failed) > 1 and failed.keys() & found.drawn and (
-                places != ("2", "checks"))
+            sure = len(failed) > 1 and failed.keys() & found.drawn and places != ("2", "checks")
             named.setdefault(places, []).append(
                 f"this {'is' if sure else 'may be'} what comes out when {sentence}")
     clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
