@@ -125,7 +125,7 @@ def seen(wrong):
 
 def also(wrong):
     """A row, or none: which other claims fail, where no hint is of all that is wrong."""
-    if wrong and not re.match("hint +(?!in )", wrong[0].message):
+    if wrong and not re.match("hint +(?! |in )", wrong[0].message):
         _, *others = dict.fromkeys(check.claim.partition(" [")[0] for check in wrong
                                    if check.fine_print == wrong[0].fine_print)
         more = [f"{len(others) - MOST_CLAIMS} more"] if len(others) > MOST_CLAIMS else []
