@@ -89,7 +89,7 @@ def put_runs(runs, seen, points, faces, first, rast, rast_db):
 @kernel
 def mix_corners(values, faces, look, channels, part, out):
     """Eq. (5) of interpolation.py at pixels of a part: values (V, A) -> out (P, A), 0 before.
-    Returns whether all is there.
+    Returns whether all faces are there, whose corners must be.
 
     look: rast (P, 4), the weights of two corners (P, 2), and the sum of all three. channels: a
     tuple of A numbers, so that A is known when this is compiled.
@@ -104,7 +104,7 @@ def mix_corners(values, faces, look, channels, part, out):
             u, v = np.float64(uv[p, 0]), np.float64(uv[p, 1])
             for c in range(np.uintp(len(channels))):
                 out[p, c] = u * values[i, c] + v * values[j, c] + (total - u - v) * values[k, c]
-    return part[0] > 0 or are_vertices(faces, len(values))
+    return True
 
 
 @kernel
@@ -160,7 +160,8 @@ def mix_attributes(values, faces, rast, uv, total, out):
     """
     given = (np.ascontiguousarray(values), faces, (rast.reshape(-1, 4), uv, total),
              constant(out.shape[1]))
-    return all(on_all_cores(lambda *part: mix_corners(*given, part, out), len(out), len(out)))
+    return are_vertices(faces, len(values)) and all(
+        on_all_cores(lambda *part: mix_corners(*given, part, out), len(out), len(out)))
 
 
 def mix_attributes_backward(grad_out, values, faces, rast, uv, total, grad_uv):

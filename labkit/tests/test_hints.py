@@ -198,7 +198,7 @@ SURE, UNSURE, NONE, OTHER = (SIGN, True), (SIGN, False), ("", False), ("rows are
 @pytest.mark.parametrize(("suspected", "hint"), [
     ([SURE, None], SIGN), ([None, SURE], f'in "Claim 1": {SIGN}'), ([UNSURE, SURE], SIGN),
     ([SURE, NONE], f"in this claim: {SIGN}"), ([SURE, OTHER], f"in this claim: {SIGN}"),
-    ([NONE, OTHER], 'in "Claim 1": rows are swapped'), ([(f"{TIMES}", True), NONE], None),
+    ([NONE, OTHER], 'in "Claim 1": rows are swapped'), ([(TIMES, True), NONE], None),
     ([None, None], None), ([UNSURE, None], None), ([UNSURE, NONE], None),
     ([UNSURE, UNSURE], SIGN), (2 * [(ANYWHERE, False)], f"it may be that {ANYWHERE}"),
     ([(f"in output 2 {SIGN}", False), (f"{SIGN} in [..., 1]", True)], f"in output 2 {SIGN}"),
@@ -221,7 +221,6 @@ def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected
 def test_an_error_and_what_is_no_array_speak_against_all_suspicions(error):
     """All checks but one raise, and the numbers of that one are told as the cause."""
     assert suspected(error, None, None, None) == hints.NOTHING
-
 
 
 @pytest.mark.parametrize(("sentence", "sure", "hint", "has_list"), [

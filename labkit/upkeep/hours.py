@@ -18,8 +18,7 @@ from .. import exercises, places
 PRINTED = [places.ROOT / page
            for page in ("README.md", "notebooks/00_start_here.ipynb", "teaching/README.md")]
 
-READINGS = 1.5
-MINUTES_A_POINT = 6
+READINGS, MINUTES_A_POINT = 1.5, 6
 UNREAD = re.compile(r"<details>.*?</details>|<[^>]*>|```.*?```", re.DOTALL)
 EQUATION = re.compile(r"\$\$.*?\$\$", re.DOTALL)
 FOLDED = "# figure:", "# opening:"   # how cells begin that only draw

@@ -31,7 +31,6 @@ UNUSED = re.compile(r"(notebooks|apps|tasks|labkit/upkeep|tests/golden)/|labs/[^
                     r"(lexers|styles|formatters)/"
                     r"(?!(__init__|_mapping|diff|python|terminal|default)\.))")
 
-
 sys.path.append(str(STATIC))
 pictures = importlib.import_module("pictures")
 

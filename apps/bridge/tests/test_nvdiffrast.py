@@ -284,6 +284,8 @@ ODD = torch.ones(1, 6, 4, 1), torch.zeros(1, 2, 2, 2), torch.ones(1, 2, 2, 4)  #
     (lambda *given: attributes(*given, [4]), "must number some of 4 attributes; it is .4"),
     (lambda pos, tri, size: dr.interpolate(pos, seen(pos, tri, size)[0], tri[:1]),
      "rast sees face 1, and tri has 1: give the faces that rast was made of"),
+    (lambda pos, tri, size: dr.interpolate(pos, seen(pos, tri, size)[0], tri + 10**8),
+     "face 0 names vertex 100000000"),
     (lambda pos, tri, size: dr.antialias(*2 * seen(pos, tri, size)[:1], pos, tri[:1]), "rast see"),
     (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), torch.ones(4, 4, 2)), r"shape \(n, h, w, 2\)"),
     (lambda *_: dr.texture(torch.ones(1, 4, 4, 3), np.ones((1, 4, 4, 2))), "uv must be a tensor"),
@@ -295,7 +297,7 @@ ODD = torch.ones(1, 6, 4, 1), torch.zeros(1, 2, 2, 2), torch.ones(1, 2, 2, 4)  #
 def test_what_does_not_fit_is_said(call, said):
     """A wrong tensor ends deep in the labs, or is taken."""
     pos, tri, size = made_scene(torch.float32)
-    with pytest.raises(RuntimeError, match=said):
+    with pytest.raises((RuntimeError, ValueError), match=said):
         call(pos.detach(), tri, size)
 
 
