@@ -169,7 +169,7 @@ def quaternion_product(p, q):  # extra 9.9 (2 points)
                      pw * qz + pz * qw + px * qy - py * qx], -1)
 
 
-def quaternion_matrix(q):  # exercise 9.8 (2 points)
+def quaternion_matrix(q):  # extra 9.8 (2 points)
     """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
     q may have any length but 0. `quaternion_product` or `cross_matrix` will help. See
@@ -178,7 +178,11 @@ def quaternion_matrix(q):  # exercise 9.8 (2 points)
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])
     """
-    raise NotImplementedError("exercise 9.8: quaternion_matrix")
+    # (w, u) (0, v) (w, -u) = (0, v') with v' = |q|^2 v + 2 w u x v + 2 u x (u x v).
+    matrix = np.eye(4)
+    K = cross_matrix(q[1:])
+    matrix[:3, :3] += 2 / (q @ q) * (q[0] * K + K @ K)
+    return matrix
 
 
 def quaternion_matrix_backward(grad_matrix, q):  # extra 9.10 (4 points)

@@ -240,7 +240,7 @@ def carving_backward(grad_carving, target, faces, buffers):
     return pipeline.to_vertices(grad_fine, buffers, faces)[:, 0]
 
 
-def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (7 points)
+def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.9 (9 points)
                              targets, weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 

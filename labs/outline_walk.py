@@ -46,7 +46,7 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
     raise NotImplementedError("exercise 8.12: enter_faces")
 
 
-def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (5 points)
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (7 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
     pairs: the first steps, of `leave_faces`. Go on by `enter_faces` as long as c < 1, the edge is
@@ -71,7 +71,7 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (3 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (6 points)
     """The pairs of neighbours with an outline between their centres -> Pairs, and others -> Pairs
 
     First the owner's surface walks, and the given `is_outline` says where it found one. If it

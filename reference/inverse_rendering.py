@@ -182,7 +182,7 @@ def quaternion_product(p, q):  # extra 9.9 (2 points)
                      pw * qz + pz * qw + px * qy - py * qx], -1)
 
 
-def quaternion_matrix(q):  # exercise 9.8 (2 points)
+def quaternion_matrix(q):  # extra 9.8 (2 points)
     """Eq. (6) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
     q may have any length but 0. `quaternion_product` or `cross_matrix` will help. See

@@ -46,7 +46,7 @@ def all_silhouettes(clip, faces, opposite, width, height):
         return screen, silhouette_edges(*screen, faces, vertices_across(faces, opposite))
 
 
-def neighbours(face_index, depth):  # exercise 8.6 (2 points)
+def neighbours(face_index, depth):  # step 8.6
     """Which neighbouring pixels see different faces? -> owner, other (N,)
 
     face_index, depth (H, W). Neighbours lie beside or above each other. The owner sees the nearer
@@ -67,7 +67,7 @@ def neighbours(face_index, depth):  # exercise 8.6 (2 points)
     return owner, first + second - owner
 
 
-def leave_faces(owner, other, face, screen, faces, width):  # exercise 8.7 (3 points)
+def leave_faces(owner, other, face, screen, faces, width):  # step 8.7
     """By which edge does each pair's line leave a face, on the way from owner to other? -> Pairs
 
     owner, other, face (N,). screen: x, y, w (V,) of the vertices, all w > 0. faces (F, 3). In the

@@ -85,7 +85,7 @@ def shade(albedo, normals, light):
     return albedo * (sh_basis(normals) @ light)
 
 
-def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.3 (3 points)
+def shade_backward(grad_colour, albedo, normals, light):  # step 16.3
     """Backward of `shade`: grad_colour (V, C) -> grad_albedo (V, C), grad_normals (V, 3),
     grad_light (9, C). `sh_basis_backward` is of use. The demo `reconstruct` finds light by it.
 
@@ -103,7 +103,7 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.3 (3 poi
     return grad_colour * (basis @ light), grad_normals, basis.T @ grad_irradiance
 
 
-def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.4 (5 points)
+def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.4 (6 points)
     """Backward of eq. (4), which is `course.given.mesh.vertex_normals`.
 
     grad_normals, vertices (V, 3), faces (F, 3) -> grad_vertices (V, 3). `mesh.area_vectors` gives
