@@ -163,7 +163,8 @@ def distorted(got, expected):
     for mended, whole in (("down", np.floor(expected)), ("toward 0", np.trunc(expected)),
                           ("to the nearest", np.rint(expected))):
         yield f"the numbers are rounded {mended}, as by //, int or an array of integers", whole
-    yield "the numbers are cut off at 0 and 1", np.clip(expected, 0, 1)
+    if has_sign(expected):  # a count of steps that stop too early is 0 or 1, too
+        yield "the numbers are cut off at 0 and 1", np.clip(expected, 0, 1)
     if set(np.unique(expected)) - {-1, 0, 1}:
         yield "the square of what was expected came", expected ** 2
         yield "the square root of what was expected came", np.sqrt(expected)

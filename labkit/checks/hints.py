@@ -137,7 +137,7 @@ def in_part(exercise, found):
     named = {}
     for sentence, failed in known_mistakes().get(exercise, ()):
         if failed.keys() <= found.failed.keys() and (places := alike(failed, found.failed)):
-            sure = len(failed) > 1 and failed.keys() & found.drawn and places != ("2", "checks")
+            sure = len(failed) > 1 and failed.keys() & found.drawn
             named.setdefault(places, []).append(
                 f"this {'is' if sure else 'may be'} what comes out when {sentence}")
     clear = {places: said for places, [said, *more] in sorted(named.items()) if not more}
@@ -146,34 +146,46 @@ def in_part(exercise, found):
     if not wrong <= {*itertools.chain(*clear)}:
         clear = {places: said for places, said in clear.items() if "." not in places[0]}
     if 0 < len(clear) <= 2:
-        return "; ".join(f"{in_words(places, found)} {said}" for places, said in clear.items())
+        return "; ".join(f"{in_words(places)} {said}" for places, said in clear.items())
 
 
 def alike(known, found):
-    """The places where a wrong answer does as a known mistake: ("2",), ("1.0", "1.2"), or ("5",
-    "checks"); () if there is none. Of columns, all that it spoils.
+    """The places where a wrong answer does as a known mistake: ("2",), ("1.0", "1.2"), or () if
+    there is none. Of columns, all that it spoils.
     """
-    same = {"": []}
+    same = {}
     for check, mark in known.items():
         if mark and found[check] != OTHER:
             came = (found[check] or "").split()
-            same[""].append(whole(mark) in came)
             for part in mark.split()[1:]:
                 same.setdefault(part.partition(":")[0], []).append(part in came)
-    checks = same.pop("")
     places = [place for place, are in same.items() if all(are)]
     outputs = tuple(place for place in places if "." not in place)
-    if outputs or 0 < len(places) == len(same):
-        return outputs or tuple(places)
-    return (str(sum(checks)), "checks") if sum(checks) >= max(2, len(found) / 2) else ()
+    return outputs or (tuple(places) if len(places) == len(same) else ())
 
 
-def in_words(places, found):
-    """in output 2, in [..., 1] and [..., 2], in 5 places, in 5 of 7 checks."""
-    if places[-1] == "checks":
-        return f"in {places[0]} of {len(found.failed)} checks"
+def in_words(places):
+    """in output 2, in [..., 1] and [..., 2], in 5 places."""
     named = [f"[..., {place[2:]}]" if "." in place else f"output {place}" for place in places]
     return "in " + (" and ".join(named) if len(named) < 4 else f"{len(named)} places")
+
+
+def in_checks(exercise, checks):
+    """"in 3 of 4 checks this may be what comes out when ...": the known mistake whose numbers came
+    in half of the Checks, or the only one whose numbers came in any of them; else None.
+    """
+    found = []
+    for sentence, failed in known_mistakes().get(exercise, ()):
+        same = [check for check in checks if (mark := failed.get(name(check.nodeid)))
+                and whole(mark) == whole(check.mark)]
+        if sum(check.numbers for check in same) >= ENOUGH:
+            found.append((len(same), sentence, same))
+    if not found:
+        return None
+    (most, sentence, same), *others = sorted(found, reverse=True)
+    if others and (others[0][0] == most or most < max(2, len(checks) / 2)):
+        return None
+    return f"in {claims(same, checks)} this may be what comes out when {sentence}"
 
 
 def whole(mark):
@@ -199,7 +211,7 @@ def hint(exercise, checks):
         len(said) > 1 and said[0].sentence[-1:] != "?" and ANYWHERE not in said[0].sentence))
     if suspected and is_sure(suspected) and checks[0].suspected is not None:
         return suspected
-    hints = [in_part(exercise, found), of_one_claim(checks), suspected]
+    hints = [in_part(exercise, found), of_one_claim(checks), suspected, in_checks(exercise, checks)]
     return next((hint for hint in hints if hint and is_sure(hint)),
                 next(filter(None, hints), None))
 
@@ -210,9 +222,17 @@ def of_one_claim(checks):
     """
     for check in checks:
         if check.suspected and check.suspected[1] and is_sure(check.suspected[0]):
-            claim = check.claim.partition(" [")[0]
-            where = "this claim" if check is checks[0] else f'"{claim}"'
-            return f"in {where}: {check.suspected[0]}"
+            return f"in {claims([check], checks)}: {check.suspected[0]}"
+
+
+def claims(some, checks):
+    """What a report on the first of the Checks calls some of them: this claim, "The rows sum to 1",
+    3 of 4 checks.
+    """
+    if len(some) > 1:
+        return f"{len(some)} of {len(checks)} checks"
+    claim = some[0].claim.partition(" [")[0]
+    return "this claim" if some[0] is checks[0] else f'"{claim}"'
 
 
 def told(said, sure):

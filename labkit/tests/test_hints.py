@@ -292,25 +292,38 @@ def test_a_known_mistake_is_told_with_other_random_inputs(monkeypatch, marks, na
     assert both.endswith("when two things are wrong at once. One: half. The other: twice")
 
 
-A, B, C = "a 2:1", "b 1.0:2 1.1:3", "c"
+A, B = "a 2:1", "b 1.0:2 1.1:3"
 
 
 @pytest.mark.parametrize(("marks", "told"), [
     ({"x": "d 1:9 2:1", "y": "e 2:4"}, "in output 2 this may be what comes out when half"),
     ({"x": "d 1:9 2:7", "y": "e 2:4"}, None), ({"x": "d 2:1"}, None),
     ({"u": "d 1.0:2 1.1:3"}, "in [..., 0] and [..., 1] this may be what comes out when third"),
-    ({"u": "d 1.0:2 1.1:3 1.2:5"}, None), ({"u": "d 1.0:2", "v": hints.OTHER}, None),
-    ({"r": C, "s": C, "w": "z 1.1:3"}, "in 2 of 3 checks this may be what comes out when twice"),
-    ({"r": C, "s": "z", "w": "z 1.1:3"}, None)])
+    ({"u": "d 1.0:2 1.1:3 1.2:5"}, None), ({"u": "d 1.0:2", "v": hints.OTHER}, None)])
 def test_a_known_mistake_is_told_of_the_part_in_which_it_is_seen(monkeypatch, marks, told):
     """A second mistake in another output hides the first one. Or a mistake is told that fails a
-    check that passes, that shows in one column where another one is wrong, or in few checks.
+    check that passes, or that shows in one column where another one is wrong.
     """
     monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
-        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B}),
-        ("twice", {"r": C, "s": C, "w": B})]})
+        ("half", {"x": A, "y": "f 2:4"}), ("third", {"u": B})]})
     assert hints.in_part("1.1", hints.Pattern(marks, 9)) == told
-    assert hints.in_words(("1", "2", "3", "4"), None) == "in 4 places"
+    assert hints.in_words(("1", "2", "3", "4")) == "in 4 places"
+
+
+@pytest.mark.parametrize(("marks", "told"), [
+    ("aax", "in 2 of 3 checks this may be what comes out when twice"),
+    ("aab", "in 2 of 3 checks this may be what comes out when twice"),
+    ("axx", "in this claim this may be what comes out when twice"),
+    ("xxb", 'in "2" this may be what comes out when third'), ("axb", None), ("xxx", None)])
+def test_a_known_mistake_is_told_of_the_checks_in_which_its_numbers_came(monkeypatch, marks, told):
+    """A second mistake in other checks hides the first one. Or of two mistakes, each in one check,
+    one is told.
+    """
+    monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
+        ("twice", {"t0": "a 1:2", "t1": "a", "t3": "a"}), ("third", {"t1": "z", "t2": "b"})]})
+    assert hints.in_checks("1.1", [
+        Check("1.1", f"test.py::t{k}", f"{k} [one]", "failed", "", None, 0.0, False, mark, 4)
+        for k, mark in enumerate(marks)]) == told
 
 
 def test_parts_are_outputs_and_wrong_columns():

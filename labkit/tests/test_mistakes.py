@@ -116,19 +116,21 @@ def with_hints(house, run_module):
     ("x + x + x", 4, "hint this is what comes out when it is tripled"),
     ("3 * x + (np.abs(x) == 0)", 4, "hint this is what comes out when it is tripled"),
     ("3 * x", 2, "hint this may be what comes out when it is tripled"),
-    ("np.where(x == 2, 3 * x, 2 * x)", 4, ""),
-    ("np.where(x == 2, 3 * x, 7 * x)", 4, ""),
-], ids=["another way", "fine print open", "few numbers", "one check alone", "other numbers"])
+    ("np.where(x == 2, 3 * x, 2 * x)", 4, "hint in this claim this may be what comes out when it"),
+    ("np.where(x == 2, 3 * x, 7 * x)", 4, "hint in this claim this may be what comes out when it"),
+    ("np.where(x == 2, 3 * x, 7 * x)", 3, ""),
+], ids=["another way", "fine print open", "few numbers", "one check alone", "other numbers",
+        "one check, few numbers"])
 def test_a_mistake_is_named_where_all_checks_of_the_question_say_so(
         with_hints, run_here, monkeypatch, tmp_path, answer, width, told):
-    """One check returns what a known mistake returns there, and a student is told of that mistake,
-    which he did not make."""
+    """One check returns what a known mistake returns there, and a student is told of that mistake
+    without the claim, as if it explained all."""
     root = with_hints(width)
     made = json.loads((root / "tests/labs/hints.json").read_bytes())
     monkeypatch.setattr(hints, "known_mistakes", lambda: made)
     put(tmp_path, {"transforms.py": f"import numpy as np\n\n{DOUBLE}".replace("2 * x", answer)})
     said = " ".join(run_here(root, "course", "check", "1.1", "--impl", tmp_path).stdout.split())
-    assert told in said and ("comes out when" in said) == bool(told), said
+    assert told in said and said.count("comes out when") == bool(told), said
 
 
 def test_a_mistake_that_lives_is_shown(house, run_module):
