@@ -1,4 +1,4 @@
-"""Lab 9 once more: matrices for quaternions, element by element, and neighbour by neighbour."""
+"""Lab 9 once more: element by element."""
 import math
 
 import numpy as np
@@ -12,16 +12,6 @@ def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8))
     root = math.sqrt(1 - beta_2**step)
     rate = rate * root / (1 - beta_1**step)
     return x - rate * mean / (np.sqrt(square) + epsilon * root), mean, square
-
-
-def quaternion_matrix(q):
-    w, x, y, z = np.asarray(q, float) / np.abs(q).max()
-    square = w * w + x * x + y * y + z * z
-    return np.array([
-        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), 0],
-        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x), 0],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z, 0],
-        [0, 0, 0, square]]) / square
 
 
 def silhouette_loss(coverage, target):

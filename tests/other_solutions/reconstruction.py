@@ -3,16 +3,6 @@ import math
 
 import numpy as np
 
-from reference.reconstruction import sh_basis, sh_basis_backward
-
-
-def shade_backward(grad_colour, albedo, normals, light):
-    basis, reached = sh_basis(normals), grad_colour * albedo
-    by_colour = [sh_basis_backward(np.outer(*one), normals)
-                 for one in zip(reached.T, light.T, strict=True)]
-    return (grad_colour * np.einsum("vk,kc->vc", basis, light), sum(by_colour),
-            np.einsum("vk,vc->kc", basis, reached))
-
 
 def vertex_normals_backward(grad_normals, vertices, faces):
     m, grad_m, grad_vertices = np.zeros((3, *np.shape(vertices)))
