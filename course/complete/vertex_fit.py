@@ -20,7 +20,7 @@ from course.given import mesh
 
 from . import intrinsic_decomposition, pipeline, reconstruction, regularization
 from .inverse_rendering import decay, descend
-from .multi_view_fit import IN_SPACE, render_views, render_views_backward, targets_of
+from .multi_view_fit import UNIFORM_ADAM, render_views, render_views_backward, targets_of
 
 
 class Skin(NamedTuple):
@@ -62,7 +62,7 @@ def large_steps(edges, vertex_count):
 
     def update(x, grad_x, mean, square, step, rate):
         # (10) is linear: when u moves by d, x moves by (I + L)^-1 d.
-        d, mean, square = IN_SPACE(np.zeros(x.shape), solve(grad_x), mean, square, step, rate)
+        d, mean, square = UNIFORM_ADAM(np.zeros(x.shape), solve(grad_x), mean, square, step, rate)
         return x + solve(d), mean, square
     return update
 
@@ -85,7 +85,7 @@ def fit_vertices(surface, capture, steps=100, samples=4):
 
     schedule = [Skin(length * rate * RATES.vertices, rate * RATES.colours)
                 for rate in decay(1.0, LEFT, steps)]
-    update = Skin(large_steps(edges, len(surface.vertices)), IN_SPACE)
+    update = Skin(large_steps(edges, len(surface.vertices)), UNIFORM_ADAM)
     colours, _ = intrinsic_decomposition.seen_colours(surface, targets_of(capture, 1, 1))
     for x, loss in descend(Skin(surface.vertices, colours), gradient, schedule, update):
         yield surface._replace(vertices=x.vertices, albedo=x.colours,

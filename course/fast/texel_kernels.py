@@ -75,7 +75,7 @@ def near(x, boundary):
 
 
 @kernel
-def standing(j, size, boundary):
+def address(j, size, boundary):
     """The texel that stands for number j, all as floats, and whether there is one."""
     if boundary == WRAP:  # -1 - size <= j <= size
         j = j + size if j < 0 else j
@@ -95,8 +95,8 @@ def along_axis(uv, boundary, axis, job, size, taps):
         i = n - np.uintp(job.first)
         position = near(uv[np.uintp(2) * n + np.uintp(axis)], boundary) * size - 0.5
         below = np.floor(position)
-        j, j_inside = standing(below, size, boundary)
-        k, k_inside = standing(below + 1, size, boundary)
+        j, j_inside = address(below, size, boundary)
+        k, k_inside = address(below + 1, size, boundary)
         number[axis, 0, i], number[axis, 1, i] = np.int32(j), np.int32(k)
         weight[axis, 0, i] = 1 - (position - below) if j_inside else 0.0
         weight[axis, 1, i] = position - below if k_inside else 0.0
@@ -230,8 +230,8 @@ def nearest(looks, pyramid, n):
     """Eq. (1): the texel that pixel n sees, and its weight, 1 or 0."""
     width, height = pyramid.width[0], pyramid.height[0]
     u, v = near(looks.uv[2 * n], looks.boundary), near(looks.uv[2 * n + 1], looks.boundary)
-    j, j_inside = standing(np.floor(u * width), float(width), looks.boundary)
-    i, i_inside = standing(np.floor(v * height), float(height), looks.boundary)
+    j, j_inside = address(np.floor(u * width), float(width), looks.boundary)
+    i, i_inside = address(np.floor(v * height), float(height), looks.boundary)
     return int(i) * width + int(j), 1.0 if i_inside & j_inside else 0.0
 
 
