@@ -77,7 +77,7 @@ def on_face(directions):  # extra 6.13 (2 points)
 
 
 def to_face_axes(directions, face):
-    """FRAMES[face] d, whose numbers are those of d, or their opposites: (N, 3, ...) -> (N, 3, ...)."""
+    """FRAMES[face] d, whose numbers are d's or their opposites: (N, 3, ...) -> (N, 3, ...)."""
     n = np.arange(len(face))[:, None]
     return (SIGN[face].T * directions[n, AXIS[face]].T).T
 
