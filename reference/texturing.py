@@ -77,10 +77,10 @@ def linear_texels(x, size):  # step 6.1
 
 
 def address(index, size, boundary):
-    """Which texel stands for the one with a number, along one axis? index -> index, inside (...).
+    """Which texel does an index name, along an axis of size texels? index -> index, inside (...).
 
     "wrap": the texture repeats. "clamp": its first and its last texel go on for ever. "zero":
-    nothing lies beyond, and a number outside comes back as 0 with inside = False.
+    nothing lies beyond, and an index outside comes back as 0 with inside = False.
 
     >>> address(np.array([-5, -1, 0, 3, 4]), 4, "wrap")[0]
     array([3, 3, 0, 3, 0])

@@ -33,7 +33,7 @@ def all_pairs(face_index, depth, clip, faces, opposite):
 
 def with_meetings(pairs, through, face_index, clip, faces, opposite):
     """The Pairs, and those where surfaces meet. through: the second walks whose surface passes the
-    other's centre, of which owner, other and face are asked.
+    other's centre. Only their owner, other and face are read.
     """
     count, shape = len(through.owner), face_index.shape
     if count == 0:
@@ -51,7 +51,7 @@ def with_meetings(pairs, through, face_index, clip, faces, opposite):
 
 
 def numbers(met, clip):
-    """Of the ends of new edges, from V on: (2, N)."""
+    """The vertices that the ends of N new edges become, from V on: (2, N)."""
     return len(clip) + np.arange(2 * len(met.c)).reshape(2, -1)
 
 
@@ -126,7 +126,7 @@ def out_of_frame(met, x, y, width):
     """Backward of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
     dx, dy = pair_step(met.owner, met.other, width)
     row, column = np.divmod(met.owner, width)
-    return (column + 0.5 + dx * x + np.abs(dy) * y, row + 0.5 + dy * x + np.abs(dx) * y)
+    return column + 0.5 + dx * x + np.abs(dy) * y, row + 0.5 + dy * x + np.abs(dx) * y
 
 
 def points(pairs, shape, clip, faces):

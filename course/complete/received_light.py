@@ -84,10 +84,10 @@ def surroundings(surface, colours):
     hidden = np.empty(len(colours))
     bounce = np.empty(colours.shape)
     for first in range(0, len(colours), TOGETHER):
-        some = slice(first, first + TOGETHER)
-        factors = form_factors(surface.vertices[some], surface.normals[some], centres, normals,
+        part = slice(first, first + TOGETHER)
+        factors = form_factors(surface.vertices[part], surface.normals[part], centres, normals,
                                area)
-        hidden[some], bounce[some] = factors.sum(1), factors @ sent
+        hidden[part], bounce[part] = factors.sum(1), factors @ sent
     # Pieces one behind the other may hide more than all there is.
     most = np.maximum(hidden, 1)
     return 1 - hidden / most, bounce / most[:, None]

@@ -5,9 +5,8 @@
 
 The grid of multi_view_fit.py has found the topology. Its cells are wider than a pixel, so that the
 surface is uneven by a fifth of one. Here the faces stay, and each vertex goes where outlines and
-colours send it. What no picture tells, bumps decide. Vertices have the colours that pictures show,
-(10) of intrinsic_decomposition.py, and no light: what (1) cannot say of the light would be told by
-dents.
+colours send it. Where no picture says more, bumps decide. Vertices have the colours that pictures
+show, (10) of intrinsic_decomposition.py, and no light: what (1) lacks would become dents.
 
 Sources: Munkberg et al. 2022 (their second pass), Nicolet et al. 2021.
 """

@@ -76,7 +76,7 @@ def near(x, boundary):
 
 @kernel
 def address(j, size, boundary):
-    """The texel that stands for number j, all as floats, and whether there is one."""
+    """`texturing.address`, all as floats."""
     if boundary == WRAP:  # -1 - size <= j <= size
         j = j + size if j < 0 else j
         j = j + size if j < 0 else j
