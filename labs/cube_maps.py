@@ -297,7 +297,7 @@ def cube_filtered_backward(grad_colour, levels, look, filter_mode):
     return unpack(grad_texels, pack(levels)), *grads
 
 
-def cube_look_ups(mipmap, look, filter_mode):
+def all_cube_taps(mipmap, look, filter_mode):
     """Which pixels see anything (...), and of these N the `cube_map_taps`, all three."""
     seen, _, places = cube_places(mipmap, look, filter_mode)
     return seen, *in_parts(lambda *at: cube_map_taps(*at, mipmap, filter_mode), *places)

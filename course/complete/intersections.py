@@ -42,20 +42,20 @@ def with_meetings(pairs, through, face_index, clip, faces, opposite):
     at_owner = Pairs(owner, through.owner, unknown[0], unknown, unknown, unknown,
                      face_index.ravel()[owner], 3 + through.face)
     with np.errstate(all="ignore"):  # of faces without area
-        met = followed(at_owner, clip, faces, opposite, shape)
-        met = met._replace(ends=numbers(met, clip))
+        met = find_meetings(at_owner, clip, faces, opposite, shape)
+        met = met._replace(ends=new_ends(met, clip))
         met = place_ends(met, points(met, shape, clip, faces), shape)
         met = steep_pairs(select(met, (met.c > 0) & (met.c < 1)))
-    both = pairs, met._replace(ends=numbers(met, clip))
+    both = pairs, met._replace(ends=new_ends(met, clip))
     return Pairs(*(np.concatenate(parts, -1) for parts in zip(*both, strict=True)))
 
 
-def numbers(met, clip):
+def new_ends(met, clip):
     """The vertices that the ends of N new edges become, from V on: (2, N)."""
     return len(clip) + np.arange(2 * len(met.c)).reshape(2, -1)
 
 
-def followed(met, clip, faces, opposite, shape):
+def find_meetings(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
     these are the faces at the owner's centre. The walk that is behind takes the next step.
     """
@@ -91,7 +91,7 @@ def none_meet(pairs, clip):
 def meetings(pairs, clip):
     """Those of the Pairs where surfaces meet. IndexError: their ends are not numbered."""
     met = select(pairs, Pairs(*pairs).ends[0] >= len(clip))
-    if not np.array_equal(np.sort(met.ends, None), numbers(met, clip).ravel()):
+    if not np.array_equal(np.sort(met.ends, None), new_ends(met, clip).ravel()):
         raise IndexError("pairs name vertices that are not there: give the Buffers of this picture")
     return met
 
@@ -123,7 +123,7 @@ def gap(met, clip, faces, shape):
 
 
 def out_of_frame(met, x, y, width):
-    """Backward of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
+    """The inverse of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
     dx, dy = pair_step(met.owner, met.other, width)
     row, column = np.divmod(met.owner, width)
     return column + 0.5 + dx * x + np.abs(dy) * y, row + 0.5 + dy * x + np.abs(dx) * y
