@@ -63,8 +63,7 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
 
     pairs: the first steps, of `leave_faces`. Go on as long as c < 1, the edge is no silhouette,
     bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is not goal (N,),
-    which the other pixel sees. The given `step_over` takes a step, by `enter_faces`, for all pairs
-    n (M,) at once. Change a copy of pairs.
+    which the other pixel sees. The given `step_over` changes the pairs n (M,): change a copy.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
