@@ -294,7 +294,7 @@ def filtered_backward(grad_colour, levels, footprint, sampler):
     """
     mipmap = pack(levels)
     # `filtered` read upwards: the look-up, its taps, the level.
-    index, weight, inside = look_ups(mipmap, footprint, sampler)
+    index, weight, inside = all_taps(mipmap, footprint, sampler)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
     grad_uv, grad_level = in_parts(lambda *place: taps_backward(*place, mipmap, sampler),
                                    grad_weight, inside, *places(mipmap, footprint, sampler))
@@ -303,7 +303,7 @@ def filtered_backward(grad_colour, levels, footprint, sampler):
             grad_bias)
 
 
-def look_ups(mipmap, footprint, sampler):
+def all_taps(mipmap, footprint, sampler):
     """The `taps` of all N pixels of a Footprint: index, weight, inside (N, K)."""
     return in_parts(lambda *place: taps(*place, mipmap, sampler),
                     *places(mipmap, footprint, sampler))

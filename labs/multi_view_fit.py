@@ -97,8 +97,9 @@ class Stage(NamedTuple):
 WEIGHTS = Weights(coverage=1.0, carving=4.0, sign_changes=1e-3, bumps=0.03)
 RATES = Scene(distance=1.0, offsets=0.02, albedo=0.05, light=0.1)  # the first two in cells
 CONSTANTS = 0.9, 0.99, 1e-8  # of Adam: squares are forgotten faster than usual
-IN_SPACE = functools.partial(uniform_adam_step, constants=CONSTANTS)  # keeps the direction
-UPDATES = Scene(IN_SPACE, IN_SPACE, IN_SPACE, functools.partial(adam_step, constants=CONSTANTS))
+UNIFORM_ADAM = functools.partial(uniform_adam_step, constants=CONSTANTS)  # keeps the direction
+UPDATES = Scene(distance=UNIFORM_ADAM, offsets=UNIFORM_ADAM, albedo=UNIFORM_ADAM,
+                light=functools.partial(adam_step, constants=CONSTANTS))
 FREE = 1 / 6.01  # of a cell: offsets of less than 1/6 turn no tetrahedron over
 SPREAD = 1.0     # the amount of eq. (8)
 

@@ -23,7 +23,7 @@ import numpy as np
 from course.given.arrays import EDGES
 
 from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step
-from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, some, steep_pairs
+from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, select, steep_pairs
 
 
 def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
@@ -46,12 +46,24 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
     raise NotImplementedError("exercise 8.12: enter_faces")
 
 
-def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (7 points)
+def put(pairs, n, new):
+    """Write new Pairs over those of the numbers n, or over those where n is True."""
+    for values, new_values in zip(pairs, new, strict=True):
+        values[..., n] = new_values
+
+
+def step_over(pairs, n, opposite, screen, faces, width):
+    """The pairs of the numbers n walk on, each over its edge into the face across: they change."""
+    across = opposite[pairs.face[n], pairs.edge[n]]
+    put(pairs, n, enter_faces(pairs.owner[n], pairs.other[n], across, screen, faces, width))
+
+
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (5 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
-    pairs: the first steps, of `leave_faces`. Go on by `enter_faces` as long as c < 1, the edge is
-    no silhouette, bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is
-    not goal (N,), which the other pixel sees. Take a step for all pairs at once.
+    pairs: the first steps, of `leave_faces`. Go on as long as c < 1, the edge is no silhouette,
+    bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is not goal (N,),
+    which the other pixel sees. The given `step_over` changes the pairs n (M,): change a copy.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
@@ -71,7 +83,7 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (6 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (8 points)
     """The pairs of neighbours with an outline between their centres -> Pairs, and others -> Pairs
 
     First the owner's surface walks, and the given `is_outline` says where it found one. If it
@@ -87,14 +99,6 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (6
     (array([1]), array([2]), array([0.25]), array([], dtype=float64))
     """
     raise NotImplementedError("exercise 8.14: outline_pairs")
-
-
-def step_over(walk, n, mesh, opposite):
-    """The walks n of Pairs take a step."""
-    across = opposite[walk.face[n], walk.edge[n]]
-    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
-    for values, new in zip(walk, step, strict=True):
-        values[..., n] = new
 
 
 def last_folds(pairs, face_index, clip, faces, opposite):
@@ -113,12 +117,11 @@ def last_folds(pairs, face_index, clip, faces, opposite):
         go = go[(across >= 0) & (across // 3 != goal[go])]
         if len(go) == 0:
             break
-        step_over(at, go, (screen, faces, width), opposite)
+        step_over(at, go, opposite, screen, faces, width)
         is_around = (at.face[go] == pairs.face[go]) & (at.edge[go] == pairs.edge[go])
         go = go[(np.abs(at.c[go]) < 1) & ~is_around]
         farther = go[silhouette[at.face[go], at.edge[go]] & (at.c[go] > last.c[go])]
-        for values, new in zip(last, at, strict=True):
-            values[..., farther] = new[..., farther]
+        put(last, farther, select(at, farther))
     return last
 
 
@@ -126,7 +129,8 @@ def both_pairs(face_index, depth, clip, faces, opposite):
     """What `outline_pairs` finds, the first with their `last_folds`, as Pairs of arrays, whatever
     tuples or lists it returns.
     """
-    kinds = np.intp, np.intp, float, np.intp, float, float, np.intp, np.intp
+    kinds = Pairs(owner=np.intp, other=np.intp, c=float, ends=np.intp, x=float, y=float,
+                  face=np.intp, edge=np.intp)
     with np.errstate(all="ignore"):  # of vertices that no seen face has
         found, others = (Pairs(*map(np.asarray, pairs, kinds)) for pairs in outline_pairs(
             face_index, depth, clip, faces, opposite))

@@ -79,8 +79,8 @@ def leave_faces(owner, other, face, screen, faces, width):  # step 8.7
     raise NotImplementedError("exercise 8.7: leave_faces")
 
 
-def some(pairs, kept):
-    """Those of the Pairs that are kept, bool (N,)."""
+def select(pairs, kept):
+    """Those of the Pairs that are kept: bool (N,), or their numbers."""
     return Pairs(*(values[..., kept] for values in pairs))
 
 
@@ -95,7 +95,7 @@ def steep_pairs(pairs):  # step 8.8
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and
-    1, or less than WINDOW outside. The given `some` takes them from the others. See `demo borders`.
+    1, or less than WINDOW outside. The given `select` picks the pairs. See `demo borders`.
 
     >>> x, y = np.array([[0.0, 0.0], [0.5, 2.0]]), np.array([[-1.0, -1.0], [1.0, 1.0]])
     >>> c = np.array([0.25, 1.0])
@@ -117,7 +117,7 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     face = face_index.ravel()[owner]
     kept = silhouette.any(1)[face]
     pairs = Pairs(*leave_faces(owner[kept], other[kept], face[kept], screen, faces, width))
-    return steep_pairs(some(pairs, silhouette[pairs.face, pairs.edge]))
+    return steep_pairs(select(pairs, silhouette[pairs.face, pairs.edge]))
 
 
 def antialias(colour, face_index, depth, clip, faces, opposite):

@@ -22,7 +22,7 @@ import numpy as np
 
 from course.given.arrays import EDGES
 
-from .interpolation import seen_corners
+from .interpolation import normalize_backward, seen_corners
 
 
 def cross(p, q):
@@ -46,62 +46,6 @@ def faces_from_pixels(face_index, clip, faces):
         X, Y = X_of.take(pixel - row * width), Y_of.take(row)
         w = clip_w.take(vertex)
         yield pixel, vertex, (X, Y), (clip_x.take(vertex) - X * w, clip_y.take(vertex) - Y * w, w)
-
-
-def edge_functions_at_backward(grad_e, x, y):  # step 7.7
-    """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
-
-    x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
-    given `cross` may help.
-
-    >>> x, y = np.array([[1.0], [2.0], [5.0]]), np.array([[3.0], [7.0], [4.0]])
-    >>> grad_x, grad_y = edge_functions_at_backward(np.array([[1.0], [0.0], [0.0]]), x, y)
-    >>> grad_x.T, grad_y.T + 0.0  # e_0 = x_1 y_2 - y_1 x_2
-    (array([[ 0.,  4., -7.]]), array([[ 0., -5.,  2.]]))
-    """
-    raise NotImplementedError("exercise 7.7: edge_functions_at_backward")
-
-
-def padded_sum(e, epsilon):
-    """d of eq. (8): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
-
-    A face without area has s = 0. Its d is infinity, so that its gradient is 0.
-    """
-    s = e.sum(0)
-    s = s + np.copysign(epsilon, s)
-    return np.where(s == 0, np.inf, s)
-
-
-def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (5 points)
-                          epsilon=0.0):
-    """Backward of lab 5's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
-
-    face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
-    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, then to x and y. From there,
-    `add_to_vertices` adds to an array (4, V). See
-    `demo fit_triangle`.
-
-    >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
-    >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2
-    >>> seen, faces = np.array([[-1, 0]]), np.array([[0, 1, 2]])  # b = (2, 2, 3) / 7 in the second
-    >>> barycentrics_backward(grad_b, seen, clip, faces).round(9) + 0.0
-    array([[ 8.,  4.,  0., -4.],
-           [ 8.,  4.,  0., -4.],
-           [12.,  6.,  0., -6.]])
-    """
-    raise NotImplementedError("exercise 7.8: barycentrics_backward")
-
-
-def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
-    """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
-
-    vertex (3, N), centre (X, Y): as it yields them. grad_w: of the corners' own w. `scatter` makes
-    a whole array for each chunk. This adds in place.
-    """
-    X, Y = centre
-    grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
-    for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
-        np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
 
 
 def edge_normals(corners):
@@ -134,6 +78,61 @@ def edge_normals_backward(grad_edges, corners):
         grad_corners[:, i] += cross(corners[:, j], g)
         grad_corners[:, j] += cross(g, corners[:, i])
     return grad_corners
+
+
+def padded_sum(e, epsilon):
+    """d of eq. (8): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
+
+    A face without area has s = 0. Its d is infinity, so that its gradient is 0.
+    """
+    s = e.sum(0)
+    s = s + np.copysign(epsilon, s)
+    return np.where(s == 0, np.inf, s)
+
+
+def edge_functions_at_backward(grad_e, x, y):  # step 7.7
+    """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
+
+    x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
+    given `cross` may help.
+
+    >>> x, y = np.array([[1.0], [2.0], [5.0]]), np.array([[3.0], [7.0], [4.0]])
+    >>> grad_x, grad_y = edge_functions_at_backward(np.array([[1.0], [0.0], [0.0]]), x, y)
+    >>> grad_x.T, grad_y.T + 0.0  # e_0 = x_1 y_2 - y_1 x_2
+    (array([[ 0.,  4., -7.]]), array([[ 0., -5.,  2.]]))
+    """
+    raise NotImplementedError("exercise 7.7: edge_functions_at_backward")
+
+
+def barycentrics_backward(grad_barycentric, face_index, clip, faces,  # exercise 7.8 (5 points)
+                          epsilon=0.0):
+    """Backward of lab 5's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
+
+    face_index (H, W), clip (V, 4), faces (F, 3). The given `faces_from_pixels` yields x, y, w of
+    the q_k, and `padded_sum` is d of eq. (8). Go back from b to e, as in step 5.5, then to x and y.
+    From there, `add_to_vertices` adds to an array (4, V). See `demo fit_triangle`.
+
+    >>> clip = np.array([[-1.0, -1.0, 0.0, 2.0], [4.0, -2.0, 0.0, 4.0], [1.0, 2.0, 0.0, 2.0]])
+    >>> grad_b = np.array([[[5.0, 0.0, 0.0], [98.0, 0.0, 0.0]]])  # two pixels, X = -1/2 and 1/2
+    >>> seen, faces = np.array([[-1, 0]]), np.array([[0, 1, 2]])  # b = (2, 2, 3) / 7 in the second
+    >>> barycentrics_backward(grad_b, seen, clip, faces).round(9) + 0.0
+    array([[ 8.,  4.,  0., -4.],
+           [ 8.,  4.,  0., -4.],
+           [12.,  6.,  0., -6.]])
+    """
+    raise NotImplementedError("exercise 7.8: barycentrics_backward")
+
+
+def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
+    """Backward of `faces_from_pixels`: adds its corners' gradients (3, N) to grad_clip (4, V).
+
+    vertex (3, N), centre (X, Y): as it yields them. grad_w: of the corners' own w. `scatter` makes
+    a whole array for each chunk. This adds in place.
+    """
+    X, Y = centre
+    grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
+    for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
+        np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):

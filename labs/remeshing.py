@@ -126,7 +126,7 @@ def until_settled(faces, flipped):
 
 def flip_to_delaunay(vertices, faces):
     """Faces (F, 3) of the same vertices: all edges that can flip are Delaunay, eq. (8)."""
-    return until_settled(faces, lambda some: flip_best(vertices, some, *edge_quads(some)[:2]))
+    return until_settled(faces, lambda now: flip_best(vertices, now, *edge_quads(now)[:2]))
 
 
 def flip_to_valence_6(vertices, faces):

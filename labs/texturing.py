@@ -72,15 +72,15 @@ def linear_texels(x, size):  # step 6.1
     raise NotImplementedError("exercise 6.1: linear_texels")
 
 
-def standing(index, size, boundary):
-    """Which texel stands for the one with a number, along one axis? index -> index, inside (...).
+def address(index, size, boundary):
+    """Which texel does an index name, along an axis of size texels? index -> index, inside (...).
 
     "wrap": the texture repeats. "clamp": its first and its last texel go on for ever. "zero":
-    nothing lies beyond, and a number outside comes back as 0 with inside = False.
+    nothing lies beyond, and an index outside comes back as 0 with inside = False.
 
-    >>> standing(np.array([-5, -1, 0, 3, 4]), 4, "wrap")[0]
+    >>> address(np.array([-5, -1, 0, 3, 4]), 4, "wrap")[0]
     array([3, 3, 0, 3, 0])
-    >>> standing(np.array([-5, -1, 0, 3, 4]), 4, "zero")
+    >>> address(np.array([-5, -1, 0, 3, 4]), 4, "zero")
     (array([0, 0, 0, 3, 0]), array([False, False,  True,  True, False]))
     """
     if boundary == "zero":
@@ -99,7 +99,7 @@ def texels_at(uv, width, height, boundary):  # exercise 6.2 (3 points)
     """Eqs. (2) and (3): the 2 x 2 texels around uv (N, 2) -> index, weight, inside (4, N).
 
     Texel [i, j] has the number width i + j. First comes the row of the lower number. width, height:
-    numbers, or (N,). boundary is for the given `standing`. Where not inside, the weight is 0. See
+    numbers, or (N,). boundary is for the given `address`. Where not inside, the weight is 0. See
     `demo floor`.
 
     >>> index, weight, _ = texels_at(np.array([[0.5, 0.1875]]), 4, 4, "wrap")
@@ -111,8 +111,8 @@ def texels_at(uv, width, height, boundary):  # exercise 6.2 (3 points)
 
 def nearest_at(uv, width, height, boundary):
     """Eq. (1): index, weight, inside (1, N) of the one texel at each place, as `texels_at`."""
-    column, column_inside = standing(nearest_texel(uv[:, 0], width), width, boundary)
-    row, row_inside = standing(nearest_texel(uv[:, 1], height), height, boundary)
+    column, column_inside = address(nearest_texel(uv[:, 0], width), width, boundary)
+    row, row_inside = address(nearest_texel(uv[:, 1], height), height, boundary)
     inside = row_inside & column_inside
     return (row * width + column)[None], inside[None].astype(float), inside[None]
 

@@ -40,7 +40,7 @@ class Pairs(NamedTuple):
     x: np.ndarray      # (2, N) where these are in the pair's frame
     y: np.ndarray      # (2, N)
     face: np.ndarray   # (N,) the edge's face: in outlines.py it is the owner's
-    edge: np.ndarray   # (N,) which of this face's edges, from 0 to 2
+    edge: np.ndarray   # (N,) which of this face's edges, from 0 to 2, or 3 + f: it meets face f
 
 
 def opposite_corners(faces):  # exercise 8.1 (3 points)
@@ -161,8 +161,8 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # step 8.10
     return slope * y1, slope * (c - x1), -slope * y0, slope * (x0 - c)
 
 
-def brought(pairs, clip, shape):
-    """Pairs where clip (V, 4) now brings their ends: which edges they are, is decided."""
+def place_ends(pairs, clip, shape):
+    """The Pairs with c, x and y anew, for the places clip (V, 4). Their edges stay the same."""
     height, width = shape
     x, y, _ = screen_points(clip, width, height)
     x, y = pair_frame(x[pairs.ends], y[pairs.ends], pairs.owner, pairs.other, width)

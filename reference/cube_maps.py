@@ -53,8 +53,8 @@ FRAMES = np.array([  # right, down, out
     [[1, 0, 0], [0, -1, 0], [0, 0, 1]],     # 4: +z
     [[-1, 0, 0], [0, -1, 0], [0, 0, -1]],   # 5: -z
 ], float)
-AXIS = np.abs(FRAMES).argmax(-1)  # each of their rows is an axis or opposite
-SIGN = FRAMES.sum(-1)
+AXIS = np.abs(FRAMES).argmax(-1)  # each of their rows is along an axis,
+SIGN = FRAMES.sum(-1)             # or opposite to it
 SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 
@@ -72,24 +72,21 @@ def on_face(directions):  # extra 6.13 (2 points)
     Fine print. On an edge several faces have the largest m. The first of them counts.
     """
     face = np.argmax(directions @ FRAMES[:, 2].T, 1)
-    right, down, m = in_frame(directions, face).T
+    right, down, m = to_face_axes(directions, face).T
     return face, (1 + np.stack([right / m, down / m], -1)) / 2
 
 
-def in_frame(directions, face):
-    """right . d, down . d and out . d of each direction's face: (N, 3, ...) -> (N, 3, ...)."""
-    turned = np.empty(directions.shape)
-    for i in range(3):  # right, down, out: each is one of d's three numbers, or its opposite
-        turned[:, i] = (SIGN[face, i] * directions[np.arange(len(face)), AXIS[face, i]].T).T
-    return turned
+def to_face_axes(directions, face):
+    """FRAMES[face] d, whose numbers are d's or their opposites: (N, 3, ...) -> (N, 3, ...)."""
+    n = np.arange(len(face))[:, None]
+    return (SIGN[face].T * directions[n, AXIS[face]].T).T
 
 
-def from_frame(values, face):
-    """The transpose of `in_frame`, and its inverse: (N, 3, ...) -> (N, 3, ...)."""
-    turned = np.empty(values.shape)
-    for i in range(3):
-        turned[np.arange(len(face)), AXIS[face, i]] = (SIGN[face, i] * values[:, i].T).T
-    return turned
+def from_face_axes(values, face):
+    """The inverse of `to_face_axes`, and its transpose: (N, 3, ...) -> (N, 3, ...)."""
+    directions = np.empty(values.shape)
+    directions[np.arange(len(face))[:, None], AXIS[face]] = (SIGN[face].T * values.T).T
+    return directions
 
 
 def on_face_backward(grad_uv, directions):
@@ -99,12 +96,12 @@ def on_face_backward(grad_uv, directions):
     array([[ 1.,  0., -2.]])
     """
     # u = (1 + a/m)/2 with a = right . d, so du = (da - (a/m) dm) / (2 m), and a/m = 2u - 1.
-    # da, db and dm are dd in the frame's axes; `from_frame` turns them back.
+    # da, db and dm are dd in the frame's axes; `from_face_axes` turns them back.
     face, uv = on_face(directions)
-    m = in_frame(directions, face)[:, 2:]
+    m = to_face_axes(directions, face)[:, 2:]
     grad_m = -(grad_uv * (2 * uv - 1)).sum(1, keepdims=True)
     grad = np.concatenate([grad_uv, grad_m], 1) / (2 * m)
-    return from_frame(grad, face)
+    return from_face_axes(grad, face)
 
 
 def direction_to(face, uv):
@@ -114,7 +111,7 @@ def direction_to(face, uv):
     array([[ 0. ,  0. ,  1. ],
            [ 1. , -1.5, -0.5]])
     """
-    return from_frame(np.concatenate([2 * uv - 1, np.ones((len(uv), 1))], 1), face)
+    return from_face_axes(np.concatenate([2 * uv - 1, np.ones((len(uv), 1))], 1), face)
 
 
 def texel_directions(size):
@@ -153,8 +150,8 @@ def face_footprint(directions, jacobian):
             [0.  , 0.5 ]]])
     """
     face, uv = on_face(directions)
-    m = in_frame(directions, face)[:, 2, None, None]
-    change = in_frame(jacobian, face)
+    m = to_face_axes(directions, face)[:, 2, None, None]
+    change = to_face_axes(jacobian, face)
     return (change[:, :2] - (2 * uv - 1)[..., None] * change[:, 2:]) / (2 * m)
 
 
@@ -163,13 +160,13 @@ def face_footprint_backward(grad_footprint, directions, jacobian):
     # J = (P - p q) / (2 m), where P holds right . d_x, ..., down . d_y, p = 2 uv - 1, and q is
     # out . (d_x, d_y). So dJ = (dP - dp q - p dq) / (2 m) - J dm / m, where dp = 2 d(uv).
     face, uv = on_face(directions)
-    m = in_frame(directions, face)[:, 2, None, None]
-    q = in_frame(jacobian, face)[:, 2:]
+    m = to_face_axes(directions, face)[:, 2, None, None]
+    q = to_face_axes(jacobian, face)[:, 2:]
     grad_P = grad_footprint / (2 * m)
     grad_q = -(grad_P * (2 * uv - 1)[..., None]).sum(1, keepdims=True)
     grad_uv = -2 * (grad_P * q).sum(2)
     grad_m = -(grad_footprint * face_footprint(directions, jacobian) / m).sum((1, 2))
-    grad_jacobian = from_frame(np.concatenate([grad_P, grad_q], 1), face)
+    grad_jacobian = from_face_axes(np.concatenate([grad_P, grad_q], 1), face)
     grad_directions = on_face_backward(grad_uv, directions) + grad_m[:, None] * FRAMES[face, 2]
     return grad_directions, grad_jacobian
 
@@ -210,14 +207,16 @@ def cube_texels(face, uv, size, filter_mode):
 
 
 def four_texels(face, columns, rows, size):
-    """index, missing (4, N) of the texels in columns (2, N) and rows (2, N) of face (N,), some of
-    them beyond an edge. size is a number or (N,). Where missing, the index is 0.
+    """The 2 x 2 texels in columns (2, N) and rows (2, N) of face (N,) -> index, missing (4, N).
+
+    Beyond one edge of the face, the texel `across_edge` takes a texel's place. Beyond two, at a
+    corner of the cube, there is none: it is missing, and has the index 0. size: a number, or (N,).
     """
     texel = np.stack([np.tile(face, (4, 1)), np.tile(columns, (2, 1)), rows.repeat(2, 0)])
     beyond = (texel[1:] < 0) | (texel[1:] >= size)
     missing = beyond.all(0)
-    over = beyond.any(0) & ~missing
-    texel[:, over] = across_edge(*texel[:, over], np.broadcast_to(size, over.shape)[over])
+    across = beyond[0] != beyond[1]
+    texel[:, across] = across_edge(*texel[:, across], np.broadcast_to(size, across.shape)[across])
     face, column, row = texel
     return np.where(missing, 0, (face * size + row) * size + column), missing
 
@@ -298,7 +297,7 @@ def cube_filtered_backward(grad_colour, levels, look, filter_mode):
     return unpack(grad_texels, pack(levels)), *grads
 
 
-def cube_look_ups(mipmap, look, filter_mode):
+def all_cube_taps(mipmap, look, filter_mode):
     """Which pixels see anything (...), and of these N the `cube_map_taps`, all three."""
     seen, _, places = cube_places(mipmap, look, filter_mode)
     return seen, *in_parts(lambda *at: cube_map_taps(*at, mipmap, filter_mode), *places)

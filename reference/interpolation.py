@@ -143,15 +143,12 @@ def normalize_derivative(dc, b, s, axis=0):  # step 5.4
 
 
 def normalize_backward(grad_b, b, s, axis=0):  # step 5.5
-    """Backward of b = c / s, s = sum c, the quotient rule: grad_b -> grad_c.
+    """Backward of b = c / s, the quotient rule: grad_b -> grad_c.
 
-    The three weights lie along the axis, and s broadcasts with them.
+    s = sum c, or in lab 7 sum c + a constant. The weights lie along the axis. s broadcasts.
 
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])
-
-    Fine print. In lab 7, s = sum c + a small constant. The rule is the same there, and b sums to
-    less than 1.
     """
     # By eq. (4), dL = sum_k grad_b_k (dc_k - b_k sum_j dc_j) / s. Collect the factors of each
     # dc_k. Every c_k is part of s, so corner k feels what all three weights want.

@@ -238,8 +238,8 @@ def rotation_angle(p, q):  # extra 9.11 (2 points)
     >>> rotation_angle(quarter, np.array([1.0, 0.0, 0.0, 0.0])).round(6)
     np.float64(1.570796)
 
-    Fine print. The end of a fit is told by small angles, so all angles keep their digits: 1e-9 is
-    right to 1e-15, and pi - 1e-6 to 1e-14.
+    Fine print. A fit ends with small angles, so all angles keep their digits: 1e-9 is right to
+    1e-15, and pi - 1e-6 to 1e-14.
     """
     # Let h be the angle between p and q. |p - q| = 2 sin(h/2), |p + q| = 2 cos(h/2), and the
     # rotation is by 2 h, or with -q for q, by less. arccos(p . q) would lose a small h's digits.

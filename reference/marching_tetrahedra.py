@@ -47,7 +47,7 @@ def tetrahedra_of(cubes, n):
 
 
 def is_odd(order):
-    """Do an odd number of swaps sort this order of 0, 1, 2, ...? Then it turns space over."""
+    """Does an odd number of swaps sort this order of 0, 1, 2, ...? Then it turns space over."""
     return np.linalg.det(np.eye(len(order))[list(order)]) < 0
 
 

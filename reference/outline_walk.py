@@ -23,7 +23,7 @@ import numpy as np
 from course.given.arrays import EDGES
 
 from .antialiasing import Pairs, crossing, ends_backward, pair_frame, pair_step
-from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, some, steep_pairs
+from .outlines import WINDOW, all_silhouettes, leave_faces, neighbours, select, steep_pairs
 
 
 def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
@@ -60,12 +60,24 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
     return Pairs(owner, other, c, corners[ends], x[ends], y[ends], face, edge)
 
 
-def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (7 points)
+def put(pairs, n, new):
+    """Write new Pairs over those of the numbers n, or over those where n is True."""
+    for values, new_values in zip(pairs, new, strict=True):
+        values[..., n] = new_values
+
+
+def step_over(pairs, n, opposite, screen, faces, width):
+    """The pairs of the numbers n walk on, each over its edge into the face across: they change."""
+    across = opposite[pairs.face[n], pairs.edge[n]]
+    put(pairs, n, enter_faces(pairs.owner[n], pairs.other[n], across, screen, faces, width))
+
+
+def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8.13 (5 points)
     """Where a walk over the surface, from the owner's centre to the other's, stops -> Pairs
 
-    pairs: the first steps, of `leave_faces`. Go on by `enter_faces` as long as c < 1, the edge is
-    no silhouette, bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is
-    not goal (N,), which the other pixel sees. Take a step for all pairs at once.
+    pairs: the first steps, of `leave_faces`. Go on as long as c < 1, the edge is no silhouette,
+    bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is not goal (N,),
+    which the other pixel sees. The given `step_over` changes the pairs n (M,): change a copy.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
@@ -77,18 +89,14 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
     Fine print. If no edge of the first face crosses, c is -np.inf and the walk is over. No walk is
     longer than there are faces.
     """
-    pairs = Pairs(*(np.array(values) for values in pairs))
+    pairs = Pairs(*map(np.array, pairs))
     go = np.flatnonzero(pairs.c > -np.inf)
     for _ in range(len(faces)):
         go = go[(pairs.c[go] < 1) & ~silhouette[pairs.face[go], pairs.edge[go]]]
-        across = opposite[pairs.face[go], pairs.edge[go]]
-        on = across // 3 != goal[go]
-        go, across = go[on], across[on]
+        go = go[opposite[pairs.face[go], pairs.edge[go]] // 3 != goal[go]]
         if len(go) == 0:
             break
-        step = enter_faces(pairs.owner[go], pairs.other[go], across, screen, faces, width)
-        for values, new in zip(pairs, step, strict=True):
-            values[..., go] = new
+        step_over(pairs, go, opposite, screen, faces, width)
     return pairs
 
 
@@ -97,7 +105,7 @@ def is_outline(pairs, silhouette):
     return silhouette[pairs.face, pairs.edge] & (pairs.c > -WINDOW) & (pairs.c <= 1)
 
 
-def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (6 points)
+def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (8 points)
     """The pairs of neighbours with an outline between their centres -> Pairs, and others -> Pairs
 
     First the owner's surface walks, and the given `is_outline` says where it found one. If it
@@ -123,19 +131,10 @@ def outline_pairs(face_index, depth, clip, faces, opposite):  # exercise 8.14 (6
     owner, other = neighbours(face_index, depth)
     pairs = walked(owner, other)
     hidden = ~is_outline(pairs, silhouette) & (pairs.c >= 1) & (seen[other] >= 0)
-    for values, new in zip(pairs, walked(other[hidden], owner[hidden]), strict=True):
-        values[..., hidden] = new
+    put(pairs, hidden, walked(other[hidden], owner[hidden]))
     found = is_outline(pairs, silhouette)
     through = ~found & (pairs.c >= 1) & (seen[pairs.other] >= 0)
-    return some(pairs, found), some(pairs, through)
-
-
-def step_over(walk, n, mesh, opposite):
-    """The walks n of Pairs take a step."""
-    across = opposite[walk.face[n], walk.edge[n]]
-    step = enter_faces(walk.owner[n], walk.other[n], across, *mesh)
-    for values, new in zip(walk, step, strict=True):
-        values[..., n] = new
+    return select(pairs, found), select(pairs, through)
 
 
 def last_folds(pairs, face_index, clip, faces, opposite):
@@ -154,12 +153,11 @@ def last_folds(pairs, face_index, clip, faces, opposite):
         go = go[(across >= 0) & (across // 3 != goal[go])]
         if len(go) == 0:
             break
-        step_over(at, go, (screen, faces, width), opposite)
+        step_over(at, go, opposite, screen, faces, width)
         is_around = (at.face[go] == pairs.face[go]) & (at.edge[go] == pairs.edge[go])
         go = go[(np.abs(at.c[go]) < 1) & ~is_around]
         farther = go[silhouette[at.face[go], at.edge[go]] & (at.c[go] > last.c[go])]
-        for values, new in zip(last, at, strict=True):
-            values[..., farther] = new[..., farther]
+        put(last, farther, select(at, farther))
     return last
 
 
@@ -167,7 +165,8 @@ def both_pairs(face_index, depth, clip, faces, opposite):
     """What `outline_pairs` finds, the first with their `last_folds`, as Pairs of arrays, whatever
     tuples or lists it returns.
     """
-    kinds = np.intp, np.intp, float, np.intp, float, float, np.intp, np.intp
+    kinds = Pairs(owner=np.intp, other=np.intp, c=float, ends=np.intp, x=float, y=float,
+                  face=np.intp, edge=np.intp)
     with np.errstate(all="ignore"):  # of vertices that no seen face has
         found, others = (Pairs(*map(np.asarray, pairs, kinds)) for pairs in outline_pairs(
             face_index, depth, clip, faces, opposite))

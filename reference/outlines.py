@@ -94,8 +94,8 @@ def leave_faces(owner, other, face, screen, faces, width):  # step 8.7
     return Pairs(owner, other, c, corners[ends], x[ends], y[ends], face, edge)
 
 
-def some(pairs, kept):
-    """Those of the Pairs that are kept, bool (N,)."""
+def select(pairs, kept):
+    """Those of the Pairs that are kept: bool (N,), or their numbers."""
     return Pairs(*(values[..., kept] for values in pairs))
 
 
@@ -110,7 +110,7 @@ def steep_pairs(pairs):  # step 8.8
     """Which of the pairs at outlines are blended? -> Pairs
 
     Their edge is steep: in the pair's frame at least as long in y as in x. Its c lies between 0 and
-    1, or less than WINDOW outside. The given `some` takes them from the others. See `demo borders`.
+    1, or less than WINDOW outside. The given `select` picks the pairs. See `demo borders`.
 
     >>> x, y = np.array([[0.0, 0.0], [0.5, 2.0]]), np.array([[-1.0, -1.0], [1.0, 1.0]])
     >>> c = np.array([0.25, 1.0])
@@ -122,7 +122,7 @@ def steep_pairs(pairs):  # step 8.8
     c, x, y = pairs.c, pairs.x, pairs.y
     kept = np.abs(y[1] - y[0]) >= np.abs(x[1] - x[0])
     kept &= (c > -WINDOW) & (c < 1 + WINDOW)
-    return some(pairs, kept & ~is_dropped(c, pairs.owner, pairs.other))
+    return select(pairs, kept & ~is_dropped(c, pairs.owner, pairs.other))
 
 
 def blended_pairs(face_index, depth, clip, faces, opposite):
@@ -135,7 +135,7 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     face = face_index.ravel()[owner]
     kept = silhouette.any(1)[face]
     pairs = Pairs(*leave_faces(owner[kept], other[kept], face[kept], screen, faces, width))
-    return steep_pairs(some(pairs, silhouette[pairs.face, pairs.edge]))
+    return steep_pairs(select(pairs, silhouette[pairs.face, pairs.edge]))
 
 
 def antialias(colour, face_index, depth, clip, faces, opposite):

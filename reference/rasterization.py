@@ -206,8 +206,8 @@ def cover_in_clip_space(p, corners):  # extra 2.8 (4 points)
 
     p (..., 2): samples in ndc. corners (3, 4): a face in clip space, any w -> covered (...), border
     included, depth (...). The sample looks along the points w (x, y, 1). Seen from there, corner k
-    is at q_k = (x_k - x w_k, y_k - y w_k), and e_k = det [q_i q_j]. The point on the face has the
-    weights e_k / sum e_k w_k, none negative if it is covered, and w = 1: its z is the depth.
+    is at q_k = (x_k - x w_k, y_k - y w_k), and c_k = det [q_i q_j]. The point on the face has the
+    weights c_k / sum c_k w_k, none negative if it is covered, and w = 1: its z is the depth.
 
     >>> corners = np.array([[-1.0, 0.0, 0.5, 1.0], [1.0, 0.0, 0.5, 1.0], [0.0, -1.0, 0.0, -1.0]])
     >>> cover_in_clip_space(np.array([[0.0, 0.5], [0.0, -0.5]]), corners)
@@ -215,8 +215,8 @@ def cover_in_clip_space(p, corners):  # extra 2.8 (4 points)
     """
     q = corners[:, :2] - p[..., None, :] * corners[:, 3:]
     x, y = q[..., 0], q[..., 1]
-    e = np.stack([x[..., i] * y[..., j] - x[..., j] * y[..., i] for i, j in EDGES], -1)
-    weights = e / (e @ corners[:, 3])[..., None]
+    c = np.stack([x[..., i] * y[..., j] - x[..., j] * y[..., i] for i, j in EDGES], -1)
+    weights = c / (c @ corners[:, 3])[..., None]
     depth = weights @ corners[:, 2]
     return (weights >= 0).all(-1) & (np.abs(depth) <= 1), depth
 

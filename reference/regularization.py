@@ -330,20 +330,20 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.13 (4 points)
+def large_step(x, grad_x, mean, square, step, rate, system):  # exercise 13.13 (4 points)
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
-    x, grad_x (V, C). mean, square (V, C), step and rate belong to u. spread: edges (E, 2), weights
+    x, grad_x (V, C). mean, square (V, C), step and rate belong to u. system: edges (E, 2), weights
     (E,) and lambda >= 0. See `demo large_steps`.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
-    >>> spread = np.array([[0, 1]]), np.ones(1), 1.0
-    >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, spread)
+    >>> system = np.array([[0, 1]]), np.ones(1), 1.0
+    >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, system)
     >>> x[:, 0].round(6)  # grad_u = (1, 2), u moves by (-1, -2), and x by a third of (-4, -5)
     array([-1.333333, -1.666667])
     """
-    edges, weights, amount = spread
+    edges, weights, amount = system
     u = x + amount * laplacian(edges, weights, len(x)) @ x
-    grad_u = precondition(grad_x, *spread)
+    grad_u = precondition(grad_x, *system)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
-    return precondition(u, *spread), mean, square
+    return precondition(u, *system), mean, square

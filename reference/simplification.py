@@ -162,6 +162,18 @@ def valid_pairs(vertices, faces, t):
     return np.unique(np.concatenate([mesh.edges(faces)[0], near[distance < t]]), axis=0)
 
 
+def best_anywhere(q):  # step 12.6
+    """Eq. (5): the places x (N, 3) of least error. q (N, 4, 4) symmetric, A invertible.
+
+    `np.linalg.solve` takes the right-hand sides as (N, 3, 1).
+
+    >>> corner = plane_quadrics(np.array([[1.0, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, -3]])).sum(0)
+    >>> best_anywhere(corner[None])
+    array([[1., 2., 3.]])
+    """
+    return np.linalg.solve(q[:, :3, :3], -q[:, :3, 3:])[..., 0]
+
+
 def best_on_segment(q, a, b):  # extra 12.8 (3 points)
     """Eq. (6): the best place x (N, 3) on the segments from a to b, and whether it is unique (N,).
 
@@ -191,18 +203,6 @@ def best_of_three(q, a, b):
     three = np.stack([a, b, (a + b) / 2])
     least = np.argmin(quadric_error(q[None], three), axis=0)
     return three[least, np.arange(len(a))]
-
-
-def best_anywhere(q):  # step 12.6
-    """Eq. (5): the places x (N, 3) of least error. q (N, 4, 4) symmetric, A invertible.
-
-    `np.linalg.solve` takes the right-hand sides as (N, 3, 1).
-
-    >>> corner = plane_quadrics(np.array([[1.0, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, -3]])).sum(0)
-    >>> best_anywhere(corner[None])
-    array([[1., 2., 3.]])
-    """
-    return np.linalg.solve(q[:, :3, :3], -q[:, :3, 3:])[..., 0]
 
 
 def pair_costs(vertices, quadrics, pairs):  # exercise 12.7 (3 points)

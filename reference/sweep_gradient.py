@@ -52,8 +52,9 @@ def sweep_lines(grad_colour, colour, sees, crossing,  # exercise 10.7 (4 points)
 
     grad_colour, colour (K, W, C). sees (K, W): is the face seen? crossing (x_edge), side (K,).
     share (K, 2). Outside is where j grows if side is 1, falls if -1. inner is the last pixel not
-    outside, outer the next. Add up `edge_pulls` as the lecture's loop does, 0 if inner or outer is
-    off the line.
+    outside, outer the next. Add up `edge_pulls`, 0 if inner or outer is off the line. Outside, j
+    counts if inner sees the face: I_beyond is inner's colour, and the edge moves by side. Any other
+    j counts if it sees the face: I_beyond is outer's colour, and the edge moves by -side.
 
     >>> colour, sees = np.array([[[1.0], [1.0], [0.0], [0.0]]]), np.array([[1, 1, 0, 0]]) > 0
     >>> grad_colour = np.array([[[0.0], [0.0], [-1.0], [0.0]]])  # pixel 2 is asked to shine

@@ -288,13 +288,14 @@ def render_and_back(mesh, material, view, grad_picture):
 
 def blend(colour, pairs, points):
     """`blend_pairs` as a function of the points, too."""
-    return antialiasing.blend_pairs(colour, antialiasing.brought(pairs, points, colour.shape[:2]))
+    placed = antialiasing.place_ends(pairs, points, colour.shape[:2])
+    return antialiasing.blend_pairs(colour, placed)
 
 
 def blend_backward(grad, colour, pairs, points):
     """Backward of `blend`: grad (H, W, C) -> grad_colour (H, W, C), grad_points (V, 4)."""
     return antialiasing.blend_pairs_backward(
-        grad, colour, antialiasing.brought(pairs, points, colour.shape[:2]), points)
+        grad, colour, antialiasing.place_ends(pairs, points, colour.shape[:2]), points)
 
 
 AXES = np.stack([inverse_rendering.cross_matrix(axis) for axis in np.eye(3)])

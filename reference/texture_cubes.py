@@ -297,8 +297,8 @@ def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
                                                                    scene.textures, light)
     grad_corners += outline(grad_colour, colour, maps.face_index, corners)
     grad_clip = neural_renderer.corners_backward(grad_corners, clip, scene.faces)
-    on_screen, _ = pipeline.to_clip_backward(grad_clip, scene.vertices, view.clip_from_model)
+    through_screen, _ = pipeline.to_clip_backward(grad_clip, scene.vertices, view.clip_from_model)
     grad_world, *grad_lights = face_light_backward(grad_light, scene.vertices[scene.faces],
                                                    *scene.lights)
-    in_light = scatter(grad_world, scene.faces, len(clip))
-    return LitMesh(on_screen + in_light, None, grad_textures, Lights(*grad_lights))
+    through_light = scatter(grad_world, scene.faces, len(clip))
+    return LitMesh(through_screen + through_light, None, grad_textures, Lights(*grad_lights))

@@ -14,9 +14,9 @@ where l_k are the weights of a face's corners at c. This line is an edge that th
 """
 import numpy as np
 
-from .antialiasing import Pairs, blend_pairs_backward, brought, pair_step, screen_backward
+from .antialiasing import Pairs, blend_pairs_backward, pair_step, place_ends, screen_backward
 from .outline_walk import both_pairs, step_over
-from .outlines import leave_faces, some, steep_pairs
+from .outlines import leave_faces, select, steep_pairs
 from .rasterization import screen_points
 
 
@@ -24,8 +24,8 @@ def all_pairs(face_index, depth, clip, faces, opposite):
     """The pairs that are blended: those with a steep outline, and those where surfaces meet, along
     a steep line. face_index, depth (H, W), clip (V, 4), faces, opposite (F, 3) -> Pairs
 
-    Where surfaces meet, ends are numbers from V on, those of `points`. face is that of the owner's
-    surface which meets the other's, and edge is that of the other's.
+    Where surfaces meet, ends are numbers from V on, those of `points`. A face of the owner's
+    surface meets face f of the other's, and edge is 3 + f: no edge of its own.
     """
     pairs, through = both_pairs(face_index, depth, clip, faces, opposite)
     return with_meetings(steep_pairs(pairs), through, face_index, clip, faces, opposite)
@@ -33,49 +33,54 @@ def all_pairs(face_index, depth, clip, faces, opposite):
 
 def with_meetings(pairs, through, face_index, clip, faces, opposite):
     """The Pairs, and those where surfaces meet. through: the second walks whose surface passes the
-    other's centre, of which owner, other and face are asked.
+    other's centre. Only their owner, other and face are read.
     """
     count, shape = len(through.owner), face_index.shape
     if count == 0:
         return pairs
     unknown, owner = np.zeros((2, count)), through.other  # the second walks went back to the owner
     at_owner = Pairs(owner, through.owner, unknown[0], unknown, unknown, unknown,
-                     face_index.ravel()[owner], through.face)
+                     face_index.ravel()[owner], 3 + through.face)
     with np.errstate(all="ignore"):  # of faces without area
-        met = followed(at_owner, clip, faces, opposite, shape)
-        met = met._replace(ends=numbers(met, clip))
-        met = brought(met, points(met, shape, clip, faces), shape)
-        met = steep_pairs(some(met, (met.c > 0) & (met.c < 1)))
-    both = pairs, met._replace(ends=numbers(met, clip))
+        met = find_meetings(at_owner, clip, faces, opposite, shape)
+        met = met._replace(ends=new_ends(met, clip))
+        met = place_ends(met, points(met, shape, clip, faces), shape)
+        met = steep_pairs(select(met, (met.c > 0) & (met.c < 1)))
+    both = pairs, met._replace(ends=new_ends(met, clip))
     return Pairs(*(np.concatenate(parts, -1) for parts in zip(*both, strict=True)))
 
 
-def numbers(met, clip):
-    """Of the ends of new edges, from V on: (2, N)."""
+def new_ends(met, clip):
+    """The vertices that the ends of N new edges become, from V on: (2, N)."""
     return len(clip) + np.arange(2 * len(met.c)).reshape(2, -1)
 
 
-def followed(met, clip, faces, opposite, shape):
+def find_meetings(met, clip, faces, opposite, shape):
     """The Pairs whose surfaces meet on the way from owner to other, and by which faces. At first
-    face and edge are the faces at the owner's centre. The walk that is behind takes the next step.
+    these are the faces at the owner's centre. The walk that is behind takes the next step.
     """
     height, width = shape
     mesh = screen_points(clip, width, height), faces, width
     walks = [Pairs(*map(np.array, leave_faces(met.owner, met.other, face, *mesh)))
-             for face in (met.face, met.edge)]
-    met = met._replace(face=walks[0].face, edge=walks[1].face)
+             for face in meeting_faces(met)]
     go, is_met = np.arange(len(met.c)), np.zeros(len(met.c), bool)
     for _ in range(2 * len(faces)):  # no walk is longer
         if len(go) == 0:
             break
+        met = met._replace(face=walks[0].face, edge=3 + walks[1].face)
         c = np.stack([walk.c[go] for walk in walks])
-        d_0, d_x, _ = gap(some(met, go), clip, faces, shape)
+        d_0, d_x, _ = gap(select(met, go), clip, faces, shape)
         is_met[go] = d_0 + c.min(0).clip(0, 1) * d_x >= 0
         goes_on = ~is_met[go] & (c.min(0) < 1)
         for k, walk in enumerate(walks):
-            step_over(walk, go[goes_on & (c.argmin(0) == k)], mesh, opposite)
+            step_over(walk, go[goes_on & (c.argmin(0) == k)], opposite, *mesh)
         go = go[goes_on]
-    return some(met, is_met)
+    return select(met, is_met)
+
+
+def meeting_faces(met):
+    """Which faces meet, (2, N): of the owner's surface, and of the other's."""
+    return np.stack([met.face, met.edge - 3])
 
 
 def none_meet(pairs, clip):
@@ -85,8 +90,8 @@ def none_meet(pairs, clip):
 
 def meetings(pairs, clip):
     """Those of the Pairs where surfaces meet. IndexError: their ends are not numbered."""
-    met = some(pairs, Pairs(*pairs).ends[0] >= len(clip))
-    if not np.array_equal(np.sort(met.ends, None), numbers(met, clip).ravel()):
+    met = select(pairs, Pairs(*pairs).ends[0] >= len(clip))
+    if not np.array_equal(np.sort(met.ends, None), new_ends(met, clip).ravel()):
         raise IndexError("pairs name vertices that are not there: give the Buffers of this picture")
     return met
 
@@ -96,7 +101,7 @@ def planes(met, x, y, clip, faces, shape):
     (2, N), weights (3, 2, N), slope (2, 2, N) on screen.
     """
     height, width = shape
-    corners = np.moveaxis(faces[np.stack([met.face, met.edge])], -1, 0)
+    corners = np.moveaxis(faces[meeting_faces(met)], -1, 0)
     screen = screen_points(clip[corners.ravel()], width, height)
     screen_x, screen_y, w = (values.reshape(corners.shape) for values in screen)
     place_x, place_y = out_of_frame(met, x, y, width)
@@ -118,10 +123,10 @@ def gap(met, clip, faces, shape):
 
 
 def out_of_frame(met, x, y, width):
-    """Backward of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
+    """The inverse of `pair_frame`: x, y (..., N) in the pair's frame -> x, y on screen."""
     dx, dy = pair_step(met.owner, met.other, width)
     row, column = np.divmod(met.owner, width)
-    return (column + 0.5 + dx * x + np.abs(dy) * y, row + 0.5 + dy * x + np.abs(dx) * y)
+    return column + 0.5 + dx * x + np.abs(dy) * y, row + 0.5 + dy * x + np.abs(dx) * y
 
 
 def points(pairs, shape, clip, faces):

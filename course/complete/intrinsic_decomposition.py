@@ -1,18 +1,18 @@
-"""Intrinsic decomposition: the colours of a surface, told apart into albedo and light.
+"""Intrinsic decomposition: the colours of a surface, separated into albedo and light.
 
     W c = C                                                colours c at vertices, C in pixels  (10)
-    c = albedo * E,   E = open sum_k Y_k(n) l_k + lit max(n . r, 0) / |r|^3 s + own bounce      (11)
-    neutral = sum of (l_k - mean l_k)^2, and of s alike    each mean is over the three colours (12)
+    c = albedo * E,   E = sky sum_k Y_k(n) l_k + lit max(n . r, 0) / |r|^3 s + own bounce       (11)
+    neutral = sum of (l_k - mean l_k)^2 and (s - mean s)^2    means are over the three colours (12)
     patches = mean of w t log(1 + |u_i - u_j| / t) / length,   u = log(albedo + 0.1) at an edge (13)
 
 It begins where multi_view_fit.py ends: the shape is found, and stays. W are the weights of lab 5.
 received_light.py says how a lamp, as near as a bulb or as far as the sun, and the surface itself
-light the surface: lit, r, open and bounce.
+light the surface: lit, r, sky and bounce.
 
 Pictures give the product of albedo and light alone. (12) and (13) choose among all pairs with this
-product. Light with little colour and paint in patches is what most scenes have. Where it is dark,
-colours tell less, as the square of the light. So does (13) by its weight w. Where it is bright, the
-model is wrong by more. What is left free is one factor. We choose the mean albedo 1/2.
+product: most scenes have light with little colour, and paint in patches. In the dark, colours say
+less of the albedo, so w is the square of the light around, at most 1. In bright light the model is
+wrong by more, so errors count less. One factor is left free: we choose the mean albedo 1/2.
 
 Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13).
 """
@@ -43,11 +43,11 @@ class Appearance(NamedTuple):
 
 
 class Received(NamedTuple):
-    """What eq. (11) knows of a Surface: lit, open (V,), bounce (V, 3)."""
+    """What eq. (11) knows of a Surface: lit, sky (V,), bounce (V, 3)."""
 
     surface: object
     lit: np.ndarray
-    open: np.ndarray
+    sky: np.ndarray
     bounce: np.ndarray
 
 
@@ -80,10 +80,10 @@ ADAM = functools.partial(adam_step, constants=(0.9, 0.99, 1e-8))
 DARKEST = 0.005  # the least albedo
 DARK = 0.1       # what eq. (13) adds to the albedo, so that nearly black is like black
 SMOOTH = 0.02    # the step of log(albedo) that is too small to count
-BLUNT = 10.0     # t of eq. (13) while the light is sought: as if it had no logarithm
+NO_BORDER = 10.0  # t of eq. (13) that makes it total variation: the mean of w |u_i - u_j|
 ROUNDS = 8       # of means of neighbours, for the brightness around
 BOUNCES = 3      # of light from surface to surface
-STIFF = 0.01     # of the colours, where no pixel tells them
+STIFF = 0.01     # the weights of the Laplacian that fills in colours which no pixel sees
 NEAREST = 0.5    # the greatest k: a lamp is 2 from the middle of the grid
 REFRESH = 20     # steps with one shadow map
 
@@ -108,7 +108,7 @@ def pixel_weights(surface, target):
 
 
 def seen_colours(surface, targets):
-    """Eq. (10) in the least squares -> colours (V, 3), and how many pixels tell of each (V,).
+    """Eq. (10) in the least squares -> colours (V, 3), and the sum of each one's weights in W (V,).
 
     surface is a Surface, targets are Targets of multi_view_fit. Vertices that no pixel sees take
     the colours around them.
@@ -121,8 +121,8 @@ def seen_colours(surface, targets):
     stiff = regularization.laplacian(edges, np.full(len(edges), STIFF), len(surface.vertices))
     nothing = 1e-9 * scipy.sparse.eye_array(len(surface.vertices))
     system = sum(matrix.T @ matrix for matrix in rows) + stiff + nothing
-    told = sum(matrix.T @ colour for matrix, colour in zip(rows, colours, strict=True))
-    return scipy.sparse.linalg.splu(system.tocsc()).solve(told), count
+    rhs = sum(matrix.T @ colour for matrix, colour in zip(rows, colours, strict=True))
+    return scipy.sparse.linalg.splu(system.tocsc()).solve(rhs), count
 
 
 # --- paint in its light: eq. (11) ---------------------------------------------------------------
@@ -130,9 +130,9 @@ def seen_colours(surface, targets):
 
 def shade_with_sun(x, received):
     """Eq. (11): the colours (V, 3) of an Appearance in what is Received."""
-    surface, lit, open_, bounce = received
+    surface, lit, sky, bounce = received
     share = lit * np.maximum(received_light.facing(x.sun[0], x.near, surface), 0)
-    return (open_[:, None] * reconstruction.shade(x.albedo, surface.normals, x.light)
+    return (sky[:, None] * reconstruction.shade(x.albedo, surface.normals, x.light)
             + x.albedo * (np.outer(share, x.sun[1]) + x.own * bounce))
 
 
@@ -140,12 +140,12 @@ def shade_with_sun_backward(grad_colour, x, received):
     """Backward of `shade_with_sun`, all that is Received held: grad_colour (V, 3) -> an Appearance
     of gradients.
     """
-    # c = a (o Y l + f s + b), f = lit max(facing, 0): dc = E da + a (o Y dl + f ds + s df).
-    surface, lit, open_, bounce = received
+    # c = a (sky Y l + f s + b), f = lit max(facing, 0): dc = E da + a (sky Y dl + f ds + s df).
+    surface, lit, sky, bounce = received
     faced = received_light.facing(x.sun[0], x.near, surface)
     share = lit * np.maximum(faced, 0)
     grad_albedo, _, grad_light = reconstruction.shade_backward(
-        open_[:, None] * grad_colour, x.albedo, surface.normals, x.light)
+        sky[:, None] * grad_colour, x.albedo, surface.normals, x.light)
     grad_irradiance = grad_colour * x.albedo
     grad_facing = np.where(faced > 0, lit, 0) * (grad_irradiance @ x.sun[1])
     grad_towards, grad_near = received_light.facing_backward(grad_facing, x.sun[0], x.near, surface)
@@ -182,9 +182,9 @@ def neutral_backward(grad_neutral, light, sun):
     return grad[:9], np.stack([np.zeros(3), grad[9]])
 
 
-def trust(colours, edges):
-    """How far colours (V, 3), whose mean is 1/2, may be believed, from the brightness around them:
-    the weight (V,) of their squared errors, and what they tell of the logarithm of paint (V,).
+def brightness_weights(colours, edges):
+    """How much colours (V, 3), whose mean is 1/2, count in the brightness around them: the weights
+    (V,) of their squared errors, and w (V,) of eq. (13).
     """
     around = colours.mean(1, keepdims=True)
     for _ in range(ROUNDS):
@@ -208,7 +208,7 @@ def patches(albedo, edges, length, weight, border):
 def patches_backward(grad_patches, albedo, edges, length, weight, border):
     """Backward of eq. (13): grad_patches, a number -> grad_albedo (V, 3)."""
     # A step s has the slope (u_i - u_j) / s, and t log(1 + s / t) the slope 1 / (1 + s / t): steps
-    # that are small beside t are pulled alike, and a border hardly. And du = da / (a + 0.1).
+    # that are small beside t have the slope 1, and a border nearly none. And du = da / (a + 0.1).
     u, v = np.log(albedo + DARK)[edges.T]
     step = np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)
     slope = grad_patches / (len(edges) * length) * weight / (1 + step / border) / step
@@ -256,12 +256,12 @@ def observe(surface, targets):
     colours = colours / exposure
     edges = reconstruction.closed_mesh_edges(surface.faces)
     a, b = surface.vertices[edges.T]
-    weight, told = trust(colours, edges)
-    share = count * weight / (count @ weight)
+    error_weight, prior_weight = brightness_weights(colours, edges)
+    share = count * error_weight / (count @ error_weight)
     received = Received(surface, np.ones(len(colours)),
                         *received_light.surroundings(surface, colours))
     return Observed(colours, share, received, edges, np.linalg.norm(a - b, axis=1).mean(),
-                    told[edges].mean(1)), exposure
+                    prior_weight[edges].mean(1)), exposure
 
 
 def first_guess(observed):
@@ -308,19 +308,19 @@ def in_shadow(observed, x):
 def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     """The Appearance of a Surface in Targets, in the least loss that `steps` steps find.
 
-    A quarter of the steps knows no sun. Then it rises where the light comes from, and moves. Paint
-    comes last: while the light is sought, (13) pulls harder, in the dark as well, and at borders.
+    A quarter of the steps knows no sun. Then it begins where most light comes from, and moves.
+    Albedo comes last: before, (13) is total variation, three times as strong, and w is 1.
     """
     observed, exposure = observe(surface, targets)
     first, last = steps // 4, steps // 3
     rates = RATES if with_sun else NO_SUN
-    blunt = priors._replace(patches=3 * priors.patches, border=BLUNT)
-    alike = observed._replace(weight=np.ones(len(observed.edges)))
-    gradient = functools.partial(loss_and_gradients, observed=alike, priors=blunt)
+    variation = priors._replace(patches=3 * priors.patches, border=NO_BORDER)
+    unweighted = observed._replace(weight=np.ones(len(observed.edges)))
+    gradient = functools.partial(loss_and_gradients, observed=unweighted, priors=variation)
     x = search(first_guess(observed), gradient, first * [NO_SUN], observed)
     x = add_sun(x) if with_sun else x
     schedule = falling(rates, steps - first)[:-last]
-    x = search_in_shadow(x, alike, blunt, schedule)
+    x = search_in_shadow(x, unweighted, variation, schedule)
     slow = Appearance(*np.array(rates) / 10)._replace(albedo=rates.albedo)
     x = search_in_shadow(x, observed, priors, falling(slow, last))
     return rescaled(x, exposure)

@@ -2,7 +2,7 @@
 
     r = d - k p,   E = lit(p) max(n . r, 0) / |r|^3 s         at p, of a lamp at d / k          (11)
     F_j = area_j max(n . w, 0) max(-n_j . w, 0) / (|w|^2 (pi |w|^2 + area_j)),   w = p_j - p
-    open = 1 - sum_j F_j,   bounce = sum_j F_j c_j            what pieces j hide, and send
+    sky = 1 - sum_j F_j,   bounce = sum_j F_j c_j             what pieces j leave, and send
 
 A lamp has the unit direction d, and the strength s in the grid's middle. It stands 1 / k away, and
 with k = 0 it is the sun. It is a disc, seen from the middle under the angle SIZE. lit is the share
@@ -72,7 +72,7 @@ def lit_from(surface, towards, near):
 
 
 def surroundings(surface, colours):
-    """What the Surface hides of the rest, and sends instead: open (V,), bounce (V, 3).
+    """What the Surface hides of the rest, and sends instead: sky (V,), bounce (V, 3).
 
     colours (V, 3) are its own.
     """
@@ -84,10 +84,10 @@ def surroundings(surface, colours):
     hidden = np.empty(len(colours))
     bounce = np.empty(colours.shape)
     for first in range(0, len(colours), TOGETHER):
-        some = slice(first, first + TOGETHER)
-        factors = form_factors(surface.vertices[some], surface.normals[some], centres, normals,
+        part = slice(first, first + TOGETHER)
+        factors = form_factors(surface.vertices[part], surface.normals[part], centres, normals,
                                area)
-        hidden[some], bounce[some] = factors.sum(1), factors @ sent
+        hidden[part], bounce[part] = factors.sum(1), factors @ sent
     # Pieces one behind the other may hide more than all there is.
     most = np.maximum(hidden, 1)
     return 1 - hidden / most, bounce / most[:, None]

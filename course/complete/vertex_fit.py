@@ -5,9 +5,8 @@
 
 The grid of multi_view_fit.py has found the topology. Its cells are wider than a pixel, so that the
 surface is uneven by a fifth of one. Here the faces stay, and each vertex goes where outlines and
-colours send it. What no picture tells, bumps decide. Vertices have the colours that pictures show,
-(10) of intrinsic_decomposition.py, and no light: what (1) cannot say of the light would be told by
-dents.
+colours send it. Where no picture says more, bumps decide. Vertices have the colours that pictures
+show, (10) of intrinsic_decomposition.py, and no light: what (1) lacks would become dents.
 
 Sources: Munkberg et al. 2022 (their second pass), Nicolet et al. 2021.
 """
@@ -20,7 +19,7 @@ from course.given import mesh
 
 from . import intrinsic_decomposition, pipeline, reconstruction, regularization
 from .inverse_rendering import decay, descend
-from .multi_view_fit import IN_SPACE, render_views, render_views_backward, targets_of
+from .multi_view_fit import UNIFORM_ADAM, render_views, render_views_backward, targets_of
 
 
 class Skin(NamedTuple):
@@ -62,7 +61,7 @@ def large_steps(edges, vertex_count):
 
     def update(x, grad_x, mean, square, step, rate):
         # (10) is linear: when u moves by d, x moves by (I + L)^-1 d.
-        d, mean, square = IN_SPACE(np.zeros(x.shape), solve(grad_x), mean, square, step, rate)
+        d, mean, square = UNIFORM_ADAM(np.zeros(x.shape), solve(grad_x), mean, square, step, rate)
         return x + solve(d), mean, square
     return update
 
@@ -85,7 +84,7 @@ def fit_vertices(surface, capture, steps=100, samples=4):
 
     schedule = [Skin(length * rate * RATES.vertices, rate * RATES.colours)
                 for rate in decay(1.0, LEFT, steps)]
-    update = Skin(large_steps(edges, len(surface.vertices)), IN_SPACE)
+    update = Skin(large_steps(edges, len(surface.vertices)), UNIFORM_ADAM)
     colours, _ = intrinsic_decomposition.seen_colours(surface, targets_of(capture, 1, 1))
     for x, loss in descend(Skin(surface.vertices, colours), gradient, schedule, update):
         yield surface._replace(vertices=x.vertices, albedo=x.colours,

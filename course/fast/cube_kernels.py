@@ -1,7 +1,7 @@
 """Cube kernels: lab 6's cube maps as loops over pixels, there and back to the texels.
 
     a thread a band    look_up   the texels that a pixel's direction sees, mixed
-    one thread         add_up    the way back to the texels, in the order of the pixels
+    one thread         look_up   the way back to the texels, in the order of the pixels
 
 The numbers are equations of cube_maps.py and mipmapping.py. Pyramids are those of
 pyramid_kernels.py. Directions that are no number see nothing, as those of length 0.
@@ -136,8 +136,10 @@ def taps(look, at, level, pyramid, size):
 
 
 @kernel
-def look_up(look, pyramid, part, colour, channels):
-    """Writes the colours (N, C), 0 before, of pixels in a part."""
+def look_up(look, pyramid, part, colour, grad_colour, channels):
+    """Adds what pixels in a part see to the colour (N, C), or adds grad_colour (N, C) to a pyramid
+    of gradients, which is the backward pass. One of the two is None, and not compiled.
+    """
     count, top, size = np.uintp(len(channels)), len(pyramid.start) - 1, pyramid.width[0]
     for n in range(*part):
         at = sight(*numbers_of(look, n), look.has_changes, look.blends, top, size)
@@ -145,25 +147,15 @@ def look_up(look, pyramid, part, colour, channels):
             texels = pyramid.smaller if level else pyramid.image
             (i, j, k, m), (A, B, C, D) = taps(look, at, level, pyramid, len(channels))
             for c in range(count):
-                colour[n, c] += (A * texels[i + c] + B * texels[j + c]
-                                 + C * texels[k + c] + D * texels[m + c])
-
-
-@kernel
-def add_up(look, grads, grad_colour, channels):
-    """Backward of `look_up`: adds to a pyramid of gradients."""
-    count, top, size = np.uintp(len(channels)), len(grads.start) - 1, grads.width[0]
-    for n in range(len(look.directions)):
-        at = sight(*numbers_of(look, n), look.has_changes, look.blends, top, size)
-        for level in range(at.level, at.level + (at.face >= 0) + (at.share > 0)):
-            texels = grads.smaller if level else grads.image
-            (i, j, k, m), (A, B, C, D) = taps(look, at, level, grads, len(channels))
-            for c in range(count):
-                grad = grad_colour[n, c]
-                texels[i + c] += A * grad
-                texels[j + c] += B * grad
-                texels[k + c] += C * grad
-                texels[m + c] += D * grad
+                if colour is not None:
+                    colour[n, c] += (A * texels[i + c] + B * texels[j + c]
+                                     + C * texels[k + c] + D * texels[m + c])
+                if grad_colour is not None:
+                    grad = grad_colour[n, c]
+                    texels[i + c] += A * grad
+                    texels[j + c] += B * grad
+                    texels[k + c] += C * grad
+                    texels[m + c] += D * grad
 
 
 def looked_at(parts, filter_mode):
@@ -182,7 +174,7 @@ def cube_colours(image, directions, changes, bias, filter_mode, _, top):
     look, channels = looked_at((directions, changes, bias), filter_mode), constant(image.shape[2])
     pyramid = pyramid_kernels.make_pyramid(image, Sampler("mipmap", "", top), channels)
     colour = np.zeros((len(directions), len(channels)), np.float32)
-    on_all_cores(lambda *part: look_up(look, pyramid, part, colour, channels),
+    on_all_cores(lambda *part: look_up(look, pyramid, part, colour, None, channels),
                  len(colour), len(colour))
     return colour
 
@@ -192,6 +184,6 @@ def cube_colours_backward(grad_colour, image, directions, changes, bias, filter_
     look, channels = looked_at((directions, changes, bias), filter_mode), constant(image.shape[2])
     grads = pyramid_kernels.room_for_pyramid(np.zeros(image.shape), Sampler("mipmap", "", top),
                                              np.zeros)
-    add_up(look, grads, grad_colour, channels)
+    look_up(look, grads, (0, len(directions)), None, grad_colour, channels)
     pyramid_kernels.add_to_image(grads, channels)
     return grads.image.reshape(image.shape), None, None, None

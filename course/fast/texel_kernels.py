@@ -2,9 +2,9 @@
 
     find_runs    neighbours that look into the same level of the pyramid, at most RUN of them
     along_axis   eq. (2) for a run: few steps without a branch, several pixels at a time
-    mix          eq. (3): the run's colours
+    mix          eq. (3): the run's colours; and the way back to the texels, on one thread, in the
+                 order of the pixels
     add_slopes   the way back to (u, v) and to the level
-    add_texels   the way back to the texels, on one thread, in the order of the pixels
 
 Pyramids are those of pyramid_kernels.py. All arrays are flat: pixel n has its colour at C n.
 """
@@ -75,8 +75,8 @@ def near(x, boundary):
 
 
 @kernel
-def standing(j, size, boundary):
-    """The texel that stands for number j, all as floats, and whether there is one."""
+def address(j, size, boundary):
+    """`texturing.address`, all as floats."""
     if boundary == WRAP:  # -1 - size <= j <= size
         j = j + size if j < 0 else j
         j = j + size if j < 0 else j
@@ -95,8 +95,8 @@ def along_axis(uv, boundary, axis, job, size, taps):
         i = n - np.uintp(job.first)
         position = near(uv[np.uintp(2) * n + np.uintp(axis)], boundary) * size - 0.5
         below = np.floor(position)
-        j, j_inside = standing(below, size, boundary)
-        k, k_inside = standing(below + 1, size, boundary)
+        j, j_inside = address(below, size, boundary)
+        k, k_inside = address(below + 1, size, boundary)
         number[axis, 0, i], number[axis, 1, i] = np.int32(j), np.int32(k)
         weight[axis, 0, i] = 1 - (position - below) if j_inside else 0.0
         weight[axis, 1, i] = position - below if k_inside else 0.0
@@ -149,8 +149,10 @@ def four_weights(weight, job, n, fraction):
 
 
 @kernel
-def mix(looks, pyramid, colour, channels):
-    """Adds what the jobs see to the colour (N C,)."""
+def mix(looks, pyramid, colour, grad_colour, channels):
+    """Adds what the jobs see to the colour (N C,), or adds grad_colour (N C,) to a pyramid of
+    gradients, which is the backward pass. One of the two is None, and not compiled.
+    """
     size = np.uintp(len(channels))
     taps = room_for_run()
     number, weight, _ = taps
@@ -162,28 +164,15 @@ def mix(looks, pyramid, colour, channels):
             A, B, C, D = four_weights(weight, job, n, fraction)
             for k in range(size):
                 at = n * size + k
-                colour[at] = (colour[at] + A * texels[a + k] + B * texels[b + k]
-                              + C * texels[c + k] + D * texels[d + k])
-
-
-@kernel
-def add_texels(looks, pyramid, grad_colour, channels):
-    """Backward of `mix`: adds to a pyramid of gradients."""
-    size = np.uintp(len(channels))
-    taps = room_for_run()
-    number, weight, _ = taps
-    fraction = looks.fraction
-    for each in range(len(looks.first)):
-        job, texels = begun(looks, pyramid, each, taps)
-        for n in range(np.uintp(job.first), np.uintp(job.end)):
-            a, b, c, d = four_texels(number, job, n, len(channels))
-            A, B, C, D = four_weights(weight, job, n, fraction)
-            for k in range(size):
-                grad = grad_colour[n * size + k]
-                texels[a + k] += A * grad
-                texels[b + k] += B * grad
-                texels[c + k] += C * grad
-                texels[d + k] += D * grad
+                if colour is not None:
+                    colour[at] = (colour[at] + A * texels[a + k] + B * texels[b + k]
+                                  + C * texels[c + k] + D * texels[d + k])
+                if grad_colour is not None:
+                    grad = grad_colour[at]
+                    texels[a + k] += A * grad
+                    texels[b + k] += B * grad
+                    texels[c + k] += C * grad
+                    texels[d + k] += D * grad
 
 
 @kernel
@@ -230,29 +219,23 @@ def nearest(looks, pyramid, n):
     """Eq. (1): the texel that pixel n sees, and its weight, 1 or 0."""
     width, height = pyramid.width[0], pyramid.height[0]
     u, v = near(looks.uv[2 * n], looks.boundary), near(looks.uv[2 * n + 1], looks.boundary)
-    j, j_inside = standing(np.floor(u * width), float(width), looks.boundary)
-    i, i_inside = standing(np.floor(v * height), float(height), looks.boundary)
+    j, j_inside = address(np.floor(u * width), float(width), looks.boundary)
+    i, i_inside = address(np.floor(v * height), float(height), looks.boundary)
     return int(i) * width + int(j), 1.0 if i_inside & j_inside else 0.0
 
 
 @kernel
-def pick(looks, pyramid, colour, channels):
-    """The nearest texels, which filter "nearest" sees."""
+def pick(looks, pyramid, colour, grad_colour, channels):
+    """As `mix`, but of the nearest texels, which filter "nearest" sees."""
     size = len(channels)
     for n in range(looks.first[0], looks.end[-1]):
-        at, weight = nearest(looks, pyramid, n)
+        number, weight = nearest(looks, pyramid, n)
         for k in range(size):
-            colour[n * size + k] = 0.0 + weight * pyramid.image[at * size + k]
-
-
-@kernel
-def pick_backward(looks, pyramid, grad_colour, channels):
-    """Adds to a pyramid of gradients."""
-    size = len(channels)
-    for n in range(looks.first[0], looks.end[-1]):
-        at, weight = nearest(looks, pyramid, n)
-        for k in range(size):
-            pyramid.image[at * size + k] += weight * grad_colour[n * size + k]
+            at, texel = n * size + k, number * size + k
+            if colour is not None:
+                colour[at] = 0.0 + weight * pyramid.image[texel]
+            if grad_colour is not None:
+                pyramid.image[texel] += weight * grad_colour[at]
 
 
 def constant(count):
@@ -298,7 +281,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter_mode="linear", boundary="
     look_up = pick if filter_mode == "nearest" else mix
 
     def band(looks):
-        look_up(looks, pyramid, colour.reshape(-1), channels)
+        look_up(looks, pyramid, colour.reshape(-1), None, channels)
 
     list(each_band(band, [(looks,) for looks in bands]))
     return colour
@@ -313,11 +296,11 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter_mod
     grads = pyramid._replace(image=np.zeros(pyramid.image.size),
                              smaller=np.zeros(pyramid.smaller.size))
     grad_flat = Footprint(*(part if part is None else np.zeros(part.shape) for part in flat))
-    add = pick_backward if filter_mode == "nearest" else add_texels
+    add = pick if filter_mode == "nearest" else mix
 
     def texels():
         for looks in bands:
-            add(looks, grads, grad_colour, channels)
+            add(looks, grads, None, grad_colour, channels)
 
     def pixels(looks):
         add_slopes(looks, pyramid, grad_colour, grad_flat.uv, grad_flat.bias, channels)

@@ -194,6 +194,11 @@ def check_all_collapses(simplify, rng):
             assert_close(got[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
 
 
+def check_a_tetrahedron_is_left(simplify, rng):
+    left = simplify(*bumpy(20, rng), 0)[1]
+    assert_equal((len(left), len(np.unique(left))), (4, 4))
+
+
 def check_it_stays_closed(simplify, rng):
     for vertices, faces in mesh.torus(100), mesh.torus(36):
         vertices = vertices + 0.01 * rng.normal(size=vertices.shape)

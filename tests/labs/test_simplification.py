@@ -651,6 +651,17 @@ def test_after_a_refused_edge_the_next_cheapest_is_tried(impl, rng):
     meshes.assert_left(left, faces, collapsed(faces, good), ball)
 
 
+def check_collapses(impl, vertices, faces, rng, cheap, pairs, done):
+    """The loop must collapse two pairs, if the vertices of cheap, {vertex: error}, cost least."""
+    errors = 100 + rng.uniform(size=len(vertices))
+    errors[[*cheap]] = [*cheap.values()]
+    left = impl.simplify_loop(vertices, faces, constant(errors), 176)[1]
+    numbers = ", ".join(f"{error} at vertex {vertex}" for vertex, error in cheap.items())
+    ball = (f"a ball of 180 faces, down to 176. An edge costs the sum of two numbers: {numbers}, "
+            f"and 100 or more elsewhere. First {[*pairs[0]]} is collapsed{done}")
+    meshes.assert_left(left, faces, collapsed(faces, *pairs), ball)
+
+
 @exercise("12.12")
 def test_edges_and_costs_are_renewed_after_each_collapse(impl, rng):
     """Edges and costs are computed once, before the loop, and never again: they are out of date
@@ -660,13 +671,8 @@ def test_edges_and_costs_are_renewed_after_each_collapse(impl, rng):
                    for x in range(a + 1, len(vertices))
                    if near(faces, [b], [x]) and not near(faces, [a], [x])
                    and meshes.is_allowed(vertices, collapsed(faces, (a, b)), a, x, vertices[a]))
-    errors = 100 + rng.uniform(size=len(vertices))
-    errors[[a, b, x]] = 1, 2, 3
-    left = impl.simplify_loop(vertices, faces, constant(errors), 176)[1]
-    ball = (f"a ball of 180 faces, down to 176. An edge costs the sum of two numbers: 1 at vertex "
-            f"{a}, 2 at {b}, 3 at {x}, and 100 or more elsewhere. First {[a, b]} is collapsed. "
-            f"Then {[a, x]} is an edge, the cheapest one")
-    meshes.assert_left(left, faces, collapsed(faces, (a, b), (a, x)), ball)
+    check_collapses(impl, vertices, faces, rng, {a: 1, b: 2, x: 3}, [(a, b), (a, x)],
+                    f". Then {[a, x]} is an edge, the cheapest one")
 
 
 @exercise("12.12")
@@ -681,13 +687,8 @@ def test_the_lower_vertex_gets_the_sum_of_both_quadrics(impl, rng):
         if not near(faces, [a, b, y], [c, d])
         and meshes.is_allowed(vertices, collapsed(faces, (a, b)), c, d, vertices[c]))
     for own, other in (1, 10), (10, 1):
-        errors = 100 + rng.uniform(size=len(vertices))
-        errors[[a, b, c, d, y]] = own, other, 8, 11, 12
-        left = impl.simplify_loop(vertices, faces, constant(errors), 176)[1]
-        ball = (f"a ball of 180 faces, down to 176. An edge costs the sum of two numbers: {own} at "
-                f"vertex {a}, {other} at {b}, 8 at {c}, 11 at {d}, 12 at {y}, and 100 or more "
-                f"elsewhere. First {[a, b]} is collapsed, and {a} has {own + other}")
-        meshes.assert_left(left, faces, collapsed(faces, (a, b), (c, d)), ball)
+        check_collapses(impl, vertices, faces, rng, {a: own, b: other, c: 8, d: 11, y: 12},
+                        [(a, b), (c, d)], f", and {a} has {own + other}")
 
 
 @exercise("12.12")
@@ -708,6 +709,4 @@ def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
 def test_it_ends_with_a_tetrahedron(impl, rng):
     """The number of faces cannot be reached, since all edges are refused: an endless loop, or
     nothing is left."""
-    vertices, faces = meshes.bumpy(20, rng)
-    left = loop(impl, vertices, faces, 0)[1]
-    assert_equal((len(left), len(np.unique(left))), (4, 4))
+    meshes.check_a_tetrahedron_is_left(functools.partial(loop, impl), rng)

@@ -48,8 +48,8 @@ def smooth_implicit(x, edges, weights, mass, step):
     return moved
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):
-    edges, weights, amount = spread
+def large_step(x, grad_x, mean, square, step, rate, system):
+    edges, weights, amount = system
     matrix = np.eye(len(x)) + amount * dense(edges, weights, len(x))
     u, mean, square = uniform_adam_step(matrix @ x, np.linalg.inv(matrix) @ grad_x, mean, square,
                                         step, rate)

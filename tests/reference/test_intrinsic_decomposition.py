@@ -140,10 +140,10 @@ def test_in_shade_colours_tell_little_and_in_bright_light_they_are_not_believed(
     edges = np.stack([np.arange(149), np.arange(1, 150)], 1)
     light = np.repeat([0.5, 0.1, 1.5], 50)
     light[80] = 0.0
-    weight, told = lab.trust(np.tile(light[:, None], (1, 3)), edges)
-    np.testing.assert_allclose(told[[20, 60, 130]], [1, 0.04, 1])
-    np.testing.assert_allclose(weight[[20, 60, 130]], [1, 2 / 1.04, 0.2])
-    assert told[80] > 0.02
+    error_weight, prior_weight = lab.brightness_weights(np.tile(light[:, None], (1, 3)), edges)
+    np.testing.assert_allclose(prior_weight[[20, 60, 130]], [1, 0.04, 1])
+    np.testing.assert_allclose(error_weight[[20, 60, 130]], [1, 2 / 1.04, 0.2])
+    assert prior_weight[80] > 0.02
 
 
 # --- what is found -----------------------------------------------------------------------------

@@ -126,7 +126,7 @@ def test_the_gradients_of_a_picture_are_central_differences(name):
     assert len(met.c) > 4 or name not in ("crossed balls", "soup")
     assert (len(behind) > 0) == (name == "vertices behind the camera")
     some = np.append(vertices[::len(vertices) // 4][:4], behind[:1])
-    some = np.unique(np.append(some, shape.faces[np.append(met.face[:1], met.edge[:1])]))
+    some = np.unique(np.append(some, shape.faces[intersections.meeting_faces(met)[:, :1]]))
     whole_gradcheck(name, render, backward, lambda buffers, *_: decided(buffers), arrays,
                     [some, some])
 

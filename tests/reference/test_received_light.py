@@ -51,11 +51,11 @@ def test_what_a_plate_hides_it_sends():
     """
     surface = two_plates(2.0)
     colours = np.tile([1.0, 0.5, 0.0], (len(surface.vertices), 1))
-    open_, bounce = lab.surroundings(surface, colours)
+    sky, bounce = lab.surroundings(surface, colours)
     middle = np.abs(surface.vertices[:, [0, 2]]).max(1) < 0.1
     a = 1 / np.sqrt(5)  # Siegel and Howell: from a point to a rectangle, four times a quarter
     hidden = 4 / (2 * np.pi) * 2 * a * np.arctan(a)
-    np.testing.assert_allclose(1 - open_[middle], hidden, rtol=0.03)
+    np.testing.assert_allclose(1 - sky[middle], hidden, rtol=0.03)
     np.testing.assert_allclose(bounce[middle], hidden * colours[middle], rtol=0.03, atol=1e-9)
     ball = surface_of(*mesh.icosphere(1280))
     assert lab.surroundings(ball, np.ones((len(ball.vertices), 3)))[0].min() > 0.98
@@ -69,5 +69,5 @@ def test_light_goes_to_and_fro_between_plates():
     x = intrinsic_decomposition.Appearance(np.full(surface.vertices.shape, 0.6), light,
                                            np.array([[0.0, 1, 0], [0, 0, 0]]), 0.0, 1.0)
     found = intrinsic_decomposition.shaded_colours(surface, x)
-    open_, bounce = lab.surroundings(surface, found)
-    np.testing.assert_allclose(found, 0.6 * (open_[:, None] * light[0] * 0.2821 + bounce), rtol=0.1)
+    sky, bounce = lab.surroundings(surface, found)
+    np.testing.assert_allclose(found, 0.6 * (sky[:, None] * light[0] * 0.2821 + bounce), rtol=0.1)

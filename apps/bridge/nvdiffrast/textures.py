@@ -145,10 +145,10 @@ def places(levels, footprint, how):
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
         mipmap = labs.cube_maps.pack_cube(levels)
-        seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint,
+        seen, index, weight, _ = labs.cube_maps.all_cube_taps(mipmap, footprint,
                                                               sampler.filter_mode)
     else:
-        index, weight, _ = labs.mipmapping.look_ups(mipmap, footprint, sampler)
+        index, weight, _ = labs.mipmapping.all_taps(mipmap, footprint, sampler)
     return Places(footprint, seen, labs.texturing.look_up_matrix(len(mipmap.texels), index, weight))
 
 
