@@ -17,7 +17,8 @@ from labkit.grading.request import Request
 
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
-collect_ignore = WORKERS if sys.platform == "win32" else []  # there, nothing can be graded
+# On Windows nothing can be graded. In sorting/ lies another course.
+collect_ignore = ["sorting", *(WORKERS if sys.platform == "win32" else ())]
 # What a script starts with & ignores Ctrl-C, and all that it starts: tests of Ctrl-C wait for ever.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 LONGEST = {"test_examine.py", "test_mistakes.py", "test_handout.py", "test_hostile.py"}
