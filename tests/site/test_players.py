@@ -4,9 +4,9 @@ import shutil
 
 import numpy as np
 import pytest
-from pages import webp
+from pages import served, webp
 from PIL import Image
-from serving import PAGES, ROOT, SITE, served, soup
+from serving import PAGES, ROOT, SITE, soup
 
 # As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]
