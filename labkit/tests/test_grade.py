@@ -47,8 +47,8 @@ def graded(house, run_module, tmp_path_factory):
     return folder / "out", run_grade(run_module, course, folder)
 
 
-def run_grade(run_module, course, folder, *options, status=0):
-    done = run_module(course, *grade_command(folder, "--seconds", 4, *options))
+def run_grade(run_module, course, folder, status=0):
+    done = run_module(course, *grade_command(folder, "--seconds", 1))
     assert done.returncode == status, done.stdout + done.stderr
     return done.stdout + done.stderr
 
@@ -56,10 +56,9 @@ def run_grade(run_module, course, folder, *options, status=0):
 @pytest.fixture
 def ada_graded(house, run_module, tmp_path):
     """What is printed where a course has only the first lab, and ada hands it in."""
-    def grade_ada(*options, lab=LAB, checks=CHECKS, work=LAB, status=0):
+    def grade_ada(lab=LAB, checks=CHECKS, work=LAB, status=0):
         hand_in(tmp_path, ada=work)
-        return run_grade(run_module, house(first_lab(lab, checks)), tmp_path, *options,
-                         status=status)
+        return run_grade(run_module, house(first_lab(lab, checks)), tmp_path, status)
     return grade_ada
 
 
@@ -88,7 +87,7 @@ def test_a_student_reads_which_claim_failed_and_how_to_run_it(graded):
     """A report without the reason, or of a check that passed."""
     text = (graded[0] / "students" / "eve" / "report.html").read_text("utf-8")
     assert "3 of 10 points" in text and "0 of 4 points: 0 of 1 claim holds" in text
-    assert "Half and sign" in text and "no answer within 4 s" in text
+    assert "Half and sign" in text and "no answer within 1 s" in text
     assert "python3 -m course check 1.3" in text and "Twice" not in text
 
 
@@ -96,7 +95,7 @@ def test_the_overview_shows_crashes_and_the_hardest(graded):
     """A crash is only in one student's report."""
     text = (graded[0] / "index.html").read_text("utf-8")
     crashes = text.partition("Crashes, time-outs")[2].partition("Everybody<")[0]
-    assert "eve" in crashes and "in split: no answer within 4 s" in crashes
+    assert "eve" in crashes and "in split: no answer within 1 s" in crashes
     hardest = text.partition("hardest")[2]
     assert hardest.index("2.1") < hardest.index("1.2")
 
@@ -115,7 +114,7 @@ def test_a_hang_costs_the_claims_that_come_after_it_and_fine_print_none(ada_grad
     more = "".join(check_text("1.3", f"split_{n}", "", f"x = np.zeros({n})",
                               "assert_close(impl.split(x), (x, x > 0))") for n in (0, 1))
     hand_in(tmp_path, bob=LAB.replace("return 2", "while not x.size: pass\n    return 2"))
-    ada_graded("--seconds", 1, checks=CHECKS.replace('@exercise("1.1")', FINE_PRINT) + more,
+    ada_graded(checks=CHECKS.replace('@exercise("1.1")', FINE_PRINT) + more,
                work=LAB.replace("return x / 2", "while not x.size: pass\n    return x / 2"))
     row, bob = grades(tmp_path / "out").values()
     assert (row["1.3 split"], row["total"]) == ("1", "4")
