@@ -9,16 +9,15 @@ the lectures' slides, in out/slides.
 The new site replaces the old one when it is whole.
 """
 import contextlib
-import functools
-import http.server
 import shutil
 import sys
+import threading
 import webbrowser
 from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import front, labs, lectures, slides, sources, texts_links
+from pages import front, labs, lectures, served, slides, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from labkit.places import ROOT, out, shown_path
@@ -52,13 +51,10 @@ def publish(parts, target):
 
 def serve():
     """Show the site in the browser, until Ctrl-C."""
-    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=str(TARGET))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        address = f"http://127.0.0.1:{server.server_port}"
+    with served(TARGET) as address, contextlib.suppress(KeyboardInterrupt):
         print(f"The site is at {address} until you press Ctrl-C.")
         webbrowser.open(address)
-        with contextlib.suppress(KeyboardInterrupt):
-            server.serve_forever()
+        threading.Event().wait()
 
 
 def make(python=None):

@@ -39,7 +39,7 @@ html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "figures/figures.css"]
 html_additional_pages = {"search": "search.html"}
 html_js_files = [("scrolling.js", {"defer": "defer"}), ("figures/begin.js", {"type": "module"}),
-                 ("players/begin.js", {"type": "module"})]
+                 ("players/animation.js", {"type": "module"})]
 html_copy_source = False
 html_domain_indices = False  # reference/index lists the modules
 html_show_sphinx = False

@@ -11,10 +11,9 @@ import io
 import re
 import shutil
 import sys
-from urllib.parse import urlsplit
 
 import numpy as np
-from pages import put
+from pages import put, served
 from pages.turntables import TURNED
 from PIL import Image, ImageOps, ImageSequence
 from playwright.sync_api import sync_playwright
@@ -31,13 +30,11 @@ PLAY = """async (button, frames) => { button.click();
 
 def write(site):
     """Write the stills of a site's figures."""
-    with chromium() as browser:
+    with chromium() as browser, served(site) as address:
         page = browser.new_page(device_scale_factor=2, reduced_motion="reduce")
-        page.route("**/*", lambda route: route.fulfill(
-            path=site / urlsplit(route.request.url).path.lstrip("/")))
         for path in site.glob("lectures/*.html"):
             for name in PLACE.findall(path.read_text("utf-8")):
-                page.goto(f"http://site/lectures/{path.name}")
+                page.goto(f"{address}/lectures/{path.name}")
                 still = turning(site, name) if name in TURNED else taken(page, name)
                 put(FOLDER / f"{name}.webp", packed(still))
 

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -34,6 +35,14 @@ def run_module(root, *command, seconds=600):
             raise subprocess.TimeoutExpired(command, seconds)
         return subprocess.CompletedProcess(
             command, process.exitcode, *(path.read_text("utf-8") for path in files))
+
+
+def wait_until(condition, why):
+    """Wait for what another process does, a minute at most."""
+    patience = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < patience, why
+        time.sleep(0.02)
 
 
 def make_house(root, files):

@@ -1,18 +1,24 @@
 """What a run of all tests does first, and commands that run in this process."""
 import contextlib
 import io
+import shutil
 import signal
 import subprocess
 import sys
 
 import pytest
+from submitted import put
 
 from course import commands
 from labkit import places
+from labkit.grading import grade
+from labkit.grading.apart import running
+from labkit.grading.request import Request
 
 WORKERS = ["test_examine.py", "test_grade.py", "test_hostile.py", "test_own_modules.py",
            "test_running.py", "test_sandbox.py"]
-collect_ignore = WORKERS if sys.platform == "win32" else []  # there, nothing can be graded
+# On Windows nothing can be graded. In sorting/ lies another course.
+collect_ignore = ["sorting", *(WORKERS if sys.platform == "win32" else ())]
 # What a script starts with & ignores Ctrl-C, and all that it starts: tests of Ctrl-C wait for ever.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 LONGEST = {"test_examine.py", "test_mistakes.py", "test_handout.py", "test_hostile.py"}
@@ -43,6 +49,24 @@ def run_here():
             command, status, *(stream.buffer.getvalue().decode() for stream in (out, err)))
 
     return run
+
+
+@pytest.fixture
+def grade_here(monkeypatch, tmp_path, capsys):
+    """grade_here(examined, files, ...) -> what grade returns and prints, in one line, where these
+    files of lab 1 are handed in: in this process, and examined(text) is a submission's Result.
+    """
+    def graded(examined, files, **options):
+        monkeypatch.setattr(running, "examine", lambda job, line: (
+            examined(job.texts.get("transforms", "")), {}))
+        monkeypatch.setattr(grade, "rehearsed", lambda *_: {})
+        shutil.rmtree(tmp_path / "in", ignore_errors=True)
+        put(tmp_path / "in", files)
+        status = grade.run(Request(tmp_path / "in" if files else None, tmp_path / "out", "1",
+                                   isolation="process", **options))
+        return status, " ".join(capsys.readouterr().out.split())
+
+    return graded
 
 
 @pytest.fixture(scope="session")

@@ -4,12 +4,11 @@ import shutil
 
 import pytest
 from graded import entry, exercise, result
-from small_course import grades, hand_in
+from small_course import grades
 from submitted import put
 
 from labkit.grading import grade
 from labkit.grading.apart import running
-from labkit.grading.request import Request
 
 DUE = "2026-11-22T23:59+00:00"
 METADATA = """\
@@ -24,27 +23,20 @@ RIGHT = {"broken": ("right", "wrong"), "mended": ("right",)}  # what passes by t
 
 
 @pytest.fixture
-def run(monkeypatch, tmp_path, capsys):
+def run(grade_here, monkeypatch):
     """run("mended", ada="right") -> what is printed where that is graded by these checks. Without
     anybody, what the output folder keeps is graded again.
     """
     one = exercise("1.1", "f", 7)
-
-    def examine(job, line):
-        is_right = job.texts.get("transforms") in RIGHT[running.course_digest()]
-        return result(entry(one, "done" if is_right else "failing", topic="transforms")), {}
+    monkeypatch.setattr(grade, "asked_for", lambda request: (["transforms"], [one]))
 
     def graded_by(checks, **texts):
         monkeypatch.setattr(running, "course_digest", lambda: checks)
-        shutil.rmtree(tmp_path / "in", ignore_errors=True)
-        hand_in(tmp_path, **texts)
-        assert grade.run(Request(tmp_path / "in" if texts else None, tmp_path / "out", "1",
-                                 isolation="process", resume=not texts)) == 0
-        return " ".join(capsys.readouterr().out.split())
+        return grade_here(lambda text: result(entry(
+            one, "done" if text in RIGHT[checks] else "failing", topic="transforms")), {
+                f"{student}_transforms.py": text for student, text in texts.items()},
+            resume=not texts)[1]
 
-    monkeypatch.setattr(running, "examine", examine)
-    monkeypatch.setattr(grade, "rehearsed", lambda *_: {})
-    monkeypatch.setattr(grade, "asked_for", lambda request: (["transforms"], [one]))
     return graded_by
 
 
@@ -71,28 +63,20 @@ def test_all_that_is_in_the_tables_is_graded_again(run, tmp_path):
 
 
 @pytest.fixture
-def graded(monkeypatch, tmp_path):
+def graded(grade_here, tmp_path):
     """graded(days, texts, count=...) -> the row of Ada, who handed in a text on each of these days.
     A text is worth as many points as it has letters.
     """
-    def examine(job, line):
-        points = len(job.texts.get("transforms", ""))
-        return result(entry(exercise("1.1", "f", points or 1), "done" if points else "failing",
-                            topic="transforms")), {}
-
     def grade_ada(texts, **options):
-        shutil.rmtree(tmp_path / "in", ignore_errors=True)
-        put(tmp_path / "in", {"submission_metadata.yml": "".join(map(
-            METADATA.format, texts, texts)), **{
-                f"submission_{day}/transforms.py": text for day, text in texts.items()}})
-        request = Request(tmp_path / "in", tmp_path / "out", "1", isolation="process", due=DUE,
-                          late="10%/day", resume=True, **options)
-        assert grade.run(request) == 0
+        grade_here(lambda text: result(entry(
+            exercise("1.1", "f", len(text) or 1), "done" if text else "failing",
+            topic="transforms")), {
+                "submission_metadata.yml": "".join(map(METADATA.format, texts, texts)),
+                **{f"submission_{day}/transforms.py": text for day, text in texts.items()}},
+            due=DUE, late="10%/day", resume=True, **options)
         row, = grades(tmp_path / "out").values()
         return row["total"], row["after lateness"], row["handed in"][8:10]
 
-    monkeypatch.setattr(running, "examine", examine)
-    monkeypatch.setattr(grade, "rehearsed", lambda *_: {})
     return grade_ada
 
 

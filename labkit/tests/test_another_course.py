@@ -1,10 +1,10 @@
-"""labkit with a course of other exercises, alone in a folder: it knows nothing of ours."""
+"""labkit with a course of other exercises, sorting/, alone in a folder: it knows nothing of ours.
+"""
 import os
 import re
 import shutil
 import subprocess
 import sys
-import textwrap
 from pathlib import Path
 
 import pytest
@@ -13,84 +13,7 @@ from small_course import grades
 from labkit.grading.apart import sandbox
 
 LABKIT = Path(__file__).parents[1]
-FILES = {
-    "labs.toml": """
-        name = "labkit"
-        title = "Sorting and words."
-        when_done = "the next chapter"
-        labs = [["sorting"], ["words"]]
-        given = ["shelf.letters"]
-        used = ["shelf/*.py"]
-        readme = "handout.md"
-        handed_out = []
-        complete = "shelf/complete"
-        with_labs = {}
-        """,
-    "pyproject.toml": """
-        [tool.pytest.ini_options]
-        pythonpath = ["."]
-        addopts = "--import-mode=importlib"
-        """,
-    "conftest.py": 'pytest_plugins = ["labkit.checks.plugin"]',
-    "handout.md": "# Sorting\n\nBegin with {first}, lab {lab}, {number}.\n\n{labs}\n\n{released}\n",
-    "shelf/__init__.py": "",
-    "shelf/letters.py": 'VOWELS = "aeiou"',
-    "reference/sorting.py": '''
-        """Sorting."""
-
-
-        def merged(a, b):  # exercise 1.1 (2 points)
-            """Two sorted arrays -> one."""
-            both = [*a, *b]
-            return sorted(both)
-
-
-        def merge_sort(x):  # exercise 1.2 (1 point)
-            """An array -> it, sorted."""
-            if len(x) < 2:
-                return x
-            return merged(merge_sort(x[::2]), merge_sort(x[1::2]))
-        ''',
-    "reference/words.py": '''
-        """Words."""
-        from shelf.letters import VOWELS
-
-        from .sorting import merge_sort
-
-
-        def vowels(text):  # exercise 2.1 (3 points)
-            """A text -> its vowels, sorted."""
-            places = merge_sort([VOWELS.index(letter) for letter in text if letter in VOWELS])
-            return "".join(VOWELS[int(k)] for k in places)
-        ''',
-    "tests/labs/test_sorting.py": '''
-        import numpy as np
-
-        from labkit.checks import assert_equal, exercise
-
-
-        @exercise("1.1")
-        def test_both_are_there(impl):
-            """One of them is lost."""
-            got = impl.merged(np.array([1, 4]), np.array([2, 3, 5]))
-            assert_equal(got, np.array([1, 2, 3, 4, 5]))
-
-
-        @exercise("1.2")
-        def test_all_numbers_are_sorted(impl, rng):
-            """Numbers that are equal come once."""
-            x = rng.integers(0, 9, 12)
-            assert_equal(impl.merge_sort(x), np.array(sorted(x)))
-        ''',
-    "tests/labs/test_words.py": '''
-        from labkit.checks import exercise
-
-
-        @exercise("2.1")
-        def test_vowels_are_sorted(impl):
-            """They stay as they stand in the text."""
-            assert impl.vowels("raise unison") == "aeiiou"
-        '''}
+COURSE = LABKIT / "tests" / "sorting"
 ANSWERS = {  # merge_sort loses what is there twice
     "merged": "return sorted([*a, *b])",
     "merge_sort": "return sorted(set(x))",
@@ -101,12 +24,9 @@ ANSWERS = {  # merge_sort loses what is there twice
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     """The root of the other course, with labs/ made, and nothing else of ours than labkit."""
-    root = tmp_path_factory.mktemp("sorting")
+    root = shutil.copytree(COURSE, tmp_path_factory.mktemp("sorting"), dirs_exist_ok=True)
     shutil.copytree(LABKIT, root / "labkit",
                     ignore=shutil.ignore_patterns("tests", "hints.json", "__pycache__"))
-    for name, text in FILES.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(textwrap.dedent(text).lstrip(), "utf-8")
     labkit(root, "skeleton")
     return root
 

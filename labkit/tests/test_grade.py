@@ -1,5 +1,4 @@
 """Grading a class: tables and reports, what is kept, what a student is told, Gradescope."""
-import shutil
 import sys
 
 import pytest
@@ -19,7 +18,7 @@ from submitted import put
 
 from labkit import exercises, places
 from labkit.grading import grade
-from labkit.grading.apart import running, sandbox
+from labkit.grading.apart import sandbox
 from labkit.grading.handing import archives
 from labkit.grading.request import Request
 from labkit.lab_text import skeleton
@@ -35,26 +34,21 @@ def test_nothing(impl):
 
 
 @pytest.fixture(scope="module")
-def course(house):
-    return house(first_lab() | SECOND_LAB | {"course/given/data/captures/00.png": ""})
-
-
-@pytest.fixture(scope="module")
-def graded(course, run_module, tmp_path_factory):
-    """(the folder with the results, the one handed in, what was printed)."""
+def graded(house, run_module, tmp_path_factory):
+    """(the folder with the results, what was printed)."""
     folder = tmp_path_factory.mktemp("class")
+    course = house(first_lab() | SECOND_LAB | {"course/given/data/captures/00.png": ""})
     put(folder / "in", {
         "ada/labs/transforms.py": LAB, "ada/labs/rasterization.py": SECOND,
         "bob/transforms.py": LAB.replace("2 * x", "3 * x"), "bob/rasterization.py": SECOND,
         "eve/transforms.py": LAB.replace("return x / 2, x > 0", "while True: x"),
         "eve/rasterization.py": SECOND.replace("2 * x", "x"),
         "ann/transforms.py": skeleton(LAB), "A&B.txt": "?", "zed/-1.rar": "?"})
-    done = run_grade(run_module, course, folder)
-    return folder / "out", folder / "in", done
+    return folder / "out", run_grade(run_module, course, folder)
 
 
-def run_grade(run_module, course, folder, *options, status=0):
-    done = run_module(course, *grade_command(folder, "--seconds", 4, *options))
+def run_grade(run_module, course, folder, status=0):
+    done = run_module(course, *grade_command(folder, "--seconds", 1))
     assert done.returncode == status, done.stdout + done.stderr
     return done.stdout + done.stderr
 
@@ -62,10 +56,9 @@ def run_grade(run_module, course, folder, *options, status=0):
 @pytest.fixture
 def ada_graded(house, run_module, tmp_path):
     """What is printed where a course has only the first lab, and ada hands it in."""
-    def grade_ada(*options, lab=LAB, checks=CHECKS, work=LAB, status=0):
+    def grade_ada(lab=LAB, checks=CHECKS, work=LAB, status=0):
         hand_in(tmp_path, ada=work)
-        return run_grade(run_module, house(first_lab(lab, checks)), tmp_path, *options,
-                         status=status)
+        return run_grade(run_module, house(first_lab(lab, checks)), tmp_path, status)
     return grade_ada
 
 
@@ -84,7 +77,7 @@ def test_the_table_has_points_of_each_exercise(graded):
 
 def test_the_level_is_stated_wherever_marks_are(graded):
     """Marks from an open worker look like those from a sandbox."""
-    out, _, printed = graded
+    out, printed = graded
     assert "no protection against malice" in printed
     for page in (out / "index.html", out / "students" / "ada" / "report.html"):
         assert "solation process (as told by --isolation process)" in page.read_text("utf-8")
@@ -94,7 +87,7 @@ def test_a_student_reads_which_claim_failed_and_how_to_run_it(graded):
     """A report without the reason, or of a check that passed."""
     text = (graded[0] / "students" / "eve" / "report.html").read_text("utf-8")
     assert "3 of 10 points" in text and "0 of 4 points: 0 of 1 claim holds" in text
-    assert "Half and sign" in text and "no answer within 4 s" in text
+    assert "Half and sign" in text and "no answer within 1 s" in text
     assert "python3 -m course check 1.3" in text and "Twice" not in text
 
 
@@ -102,7 +95,7 @@ def test_the_overview_shows_crashes_and_the_hardest(graded):
     """A crash is only in one student's report."""
     text = (graded[0] / "index.html").read_text("utf-8")
     crashes = text.partition("Crashes, time-outs")[2].partition("Everybody<")[0]
-    assert "eve" in crashes and "in split: no answer within 4 s" in crashes
+    assert "eve" in crashes and "in split: no answer within 1 s" in crashes
     hardest = text.partition("hardest")[2]
     assert hardest.index("2.1") < hardest.index("1.2")
 
@@ -121,7 +114,7 @@ def test_a_hang_costs_the_claims_that_come_after_it_and_fine_print_none(ada_grad
     more = "".join(check_text("1.3", f"split_{n}", "", f"x = np.zeros({n})",
                               "assert_close(impl.split(x), (x, x > 0))") for n in (0, 1))
     hand_in(tmp_path, bob=LAB.replace("return 2", "while not x.size: pass\n    return 2"))
-    ada_graded("--seconds", 1, checks=CHECKS.replace('@exercise("1.1")', FINE_PRINT) + more,
+    ada_graded(checks=CHECKS.replace('@exercise("1.1")', FINE_PRINT) + more,
                work=LAB.replace("return x / 2", "while not x.size: pass\n    return x / 2"))
     row, bob = grades(tmp_path / "out").values()
     assert (row["1.3 split"], row["total"]) == ("1", "4")
@@ -136,68 +129,73 @@ def test_nothing_is_graded_where_the_reference_fails(ada_graded, tmp_path):
     assert not list((tmp_path / "out").glob("*.*"))
 
 
-def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, run_module, tmp_path):
+def in_points(text):
+    """A Result with a point for each letter."""
+    if text == "boom":
+        raise RuntimeError("boom")
+    return result(entry(exercise("1.1", "f", len(text)), "done", topic="transforms"))
+
+
+def test_resume_keeps_what_is_the_same_and_grades_what_is_not(grade_here, tmp_path):
     """Everything again, or an old mark for new work; or marks change without a word."""
-    out, handed_in = (shutil.copytree(folder, tmp_path / folder.name) for folder in graded[:2])
-    before = {path: path.stat().st_mtime_ns for path in out.glob("students/*/record.json")}
-    put(handed_in, {"bob/transforms.py": LAB})
-    printed = run_grade(run_module, course, out.parent, "--resume")
+    files = {"ada_transforms.py": "x = 1", "bob_transforms.py": "x"}
+    grade_here(in_points, files)
+    before = {path: path.stat().st_mtime_ns for path in tmp_path.glob("out/students/*/record.json")}
+    _, printed = grade_here(in_points, files | {"bob_transforms.py": "x = 2"}, resume=True)
     assert "submissions: 1 graded" in printed
-    assert "bob: points 10, before 9: handed in again" in printed
+    assert "bob: points 5, before 1: handed in again" in printed
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
-    assert changed == {"bob"} and grades(out)["bob"]["total"] == "10"
+    assert changed == {"bob"} and grades(tmp_path / "out")["bob"]["total"] == "5"
 
 
 def test_what_was_not_understood_is_told(graded):
     """A file without a row and without a word."""
-    assert "not understood: A&B.txt: no student can be told from this name" in graded[2]
+    assert "not understood: A&B.txt: no student can be told from this name" in graded[1]
     assert "A&amp;B.txt" in (graded[0] / "index.html").read_text("utf-8")
 
 
-def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, tmp_path):
+def test_who_was_graded_earlier_stays_in_the_tables(grade_here, tmp_path):
     """Grading those who came late takes all others out of the table."""
-    shutil.copytree(graded[0], tmp_path / "out")
-    hand_in(tmp_path, zoe=LAB)
-    printed = run_grade(run_module, course, tmp_path)
-    assert "submissions: 1 graded" in printed and "5 more of earlier runs stay" in printed
-    before, after = grades(graded[0]), grades(tmp_path / "out")
-    assert after.pop("zoe")["total"] == "7" and after == before
+    def right(text):
+        core = [one for one in exercises.topic_exercises("transforms")
+                if one.points and not one.is_extra]
+        return result(*(entry(one, "done", topic="transforms") for one in core))
+
+    grade_here(right, {"ada_transforms.py": "x", "bob/notes.txt": "x"})
+    before = grades(tmp_path / "out")
+    _, printed = grade_here(right, {"zoe_transforms.py": "x"})
+    assert "submissions: 1 graded" in printed and "2 more of earlier runs stay" in printed
+    after = grades(tmp_path / "out")
+    assert after.pop("zoe")["total"] == after["ada"]["total"] and after == before
     assert "students/bob/report.html" in (tmp_path / "out" / "index.html").read_text("utf-8")
 
+    with pytest.raises(ValueError, match="bob holds grades of another student, whose name is alm"):
+        grade_here(right, {"Bob_transforms.py": "x"})
     (tmp_path / "out" / "asked.json").unlink()
-    told = run_grade(run_module, course, tmp_path, "--labs", "1", status=2)
-    assert "holds grades of ada for other labs or points, or of another version" in told
-    (tmp_path / "in" / "Bob").mkdir()
-    told = run_grade(run_module, course, tmp_path, status=2)
-    assert "bob holds grades of another student, whose name is almost the same" in told
+    with pytest.raises(ValueError, match="holds grades of ada for other labs or points, or of ano"):
+        grade_here(right, {"zoe_transforms.py": "x"}, extra=True)
     assert set(grades(tmp_path / "out")) == {*before, "zoe"}
 
 
-def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
+def test_one_student_s_trouble_is_no_other_s(grade_here, tmp_path, monkeypatch):
     """An error in one submission, or a folder that cannot be written, leaves others ungraded."""
-    def examine(job, line):
-        if "boom" in job.texts.values():
-            raise RuntimeError("boom")
-        return result(entry(exercise("1.1", "f", 2), "done", topic="transforms")), {}
-
     def opened(path, budget):
         if path.name.startswith("fay"):
             raise PermissionError(13, "Permission denied")
         return archives.Paid(path, budget)
 
-    monkeypatch.setattr(running, "examine", examine)
     monkeypatch.setattr(archives, "opened", opened)
-    hand_in(tmp_path, ada="x", bob="boom", eve="x", fay="x", zoe="x")
     put(tmp_path / "out", {"students/eve": "a file where a folder should be"})
-    request = Request(tmp_path / "in", tmp_path / "out", "1", isolation="process")
-    assert grade.run(request) == 1
+    texts = {"ada": "xx", "bob": "boom", "eve": "xx", "fay": "xx", "zoe": "xx"}
+    status, printed = grade_here(in_points, {f"{student}_transforms.py": text
+                                             for student, text in texts.items()})
     table = grades(tmp_path / "out")
     assert [row["total"] for row in table.values()] == ["2", "", "", "", "2"]
     assert table["bob"]["problem"] == "the examination broke off: RuntimeError: boom"
     assert "its results cannot be written" in table["eve"]["problem"]
     assert table["fay"]["problem"] == ("fay_transforms.py cannot be read here (Permission denied): "
                                        "allow yourself to read it, and grade again")
-    assert "3 could not be graded" in capsys.readouterr().out
+    assert status == 1 and "3 could not be graded" in printed
 
 
 def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):

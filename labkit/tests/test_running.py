@@ -4,10 +4,10 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+from afresh import wait_until
 from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
 
 from labkit import places
@@ -34,13 +34,6 @@ def processes(course):
         with contextlib.suppress(OSError):  # it has ended
             lines.append(path.read_bytes().replace(b"\0", b" ").decode())
     return [line for line in lines if str(course) in line]
-
-
-def wait_until(condition, why):
-    patience = time.monotonic() + 60
-    while not condition():
-        assert time.monotonic() < patience, why
-        time.sleep(0.02)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such timer")

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
+from afresh import wait_until
 
 from labkit.grading.apart import examination, levels, sandbox, wire
 from labkit.grading.apart.processes import Use, family
@@ -80,10 +81,7 @@ def test_what_runs_for_an_exercise_ends_with_its_worker(level):
         worker.socket.sendall(wire.framed(wire.encode(("call", "endless", "endless", (), {}))))
         *_, first, served = family(worker.process.pid)
         os.kill(first, signal.SIGKILL)
-        patience = time.monotonic() + 60
-        while is_alive(served) and time.monotonic() < patience:
-            time.sleep(0.05)
-        assert not is_alive(served)
+        wait_until(lambda: not is_alive(served), "it goes on")
 
 
 def is_alive(pid):

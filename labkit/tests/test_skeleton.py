@@ -1,6 +1,7 @@
 """The exercises of a module, and the labs made from the reference."""
 import importlib
 import os
+import re
 import subprocess
 
 import pytest
@@ -74,24 +75,20 @@ def test_what_a_called_exercise_calls_is_its_own_affair():
     assert exercises.calls(text, ["a", "c"]) == {"a": ("c",), "c": ("a",)}
 
 
-@pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
-def test_only_the_answers_are_replaced(newline):
-    """Comments, decorators, blank lines, line ends or a last line without an end get lost."""
-    assert lab_text.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
+UNMARKED = MODULE.replace("# exercise", "# not an exercise")
+IN_A_STRING = 'x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n'
 
 
-def test_a_lab_is_the_lab_of_itself():
-    """The generator cannot read what it has written."""
-    assert lab_text.skeleton(LAB) == LAB
-    assert [found[:4] for found in exercises.text_exercises(LAB)] == [
-        ("1.1", "first", 2, 11), ("1.2", "second", 1, 19), ("1.10", "third", 12, 33)]
-
-
-def test_a_module_without_exercises_stays_as_it_is():
-    """Functions without a mark lose their bodies."""
-    text = MODULE.replace("# exercise", "# not an exercise")
-    assert exercises.text_exercises(text) == ()
-    assert lab_text.skeleton(text) == text
+@pytest.mark.parametrize(("text", "lab"), [
+    (MODULE, LAB), (MODULE.replace("\n", "\r\n"), LAB.replace("\n", "\r\n")),
+    *((text, text) for text in (LAB, UNMARKED, IN_A_STRING))],
+    ids=["LF", "CRLF", "a lab", "without exercises", "a mark in a string"])
+def test_only_the_answers_are_replaced(text, lab):
+    """Comments, decorators, blank lines, line ends or a last line without an end get lost; the
+    generator cannot read what it has written; functions without a mark lose their bodies; marks are
+    looked for in the text, not among the comments.
+    """
+    assert lab_text.skeleton(text) == lab
 
 
 QUESTION = '    """A question."""\n    return 1\n'
@@ -126,11 +123,6 @@ def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
         assert "\n" not in str(error.value)
 
 
-def test_what_only_looks_like_a_mark_in_a_string_is_none():
-    """Marks are looked for in the text, not among the comments."""
-    assert exercises.text_exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == ()
-
-
 @pytest.fixture
 def course(tmp_path, monkeypatch):
     """A course with one topic, its lab not yet made."""
@@ -153,20 +145,17 @@ def test_topics_are_those_of_the_reference_in_the_courses_order(course):
     assert exercises.lab_number("rasterization") == 2
 
 
-def test_an_exercise_bears_its_labs_number(course):
-    """A lab copied from another keeps the other's numbers."""
-    (course / "reference" / "rasterization.py").write_text(MODULE)
-    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 11: first is marked "
-                                         r"as exercise 1\.1, but rasterization is lab 2; number"):
+@pytest.mark.parametrize(("name", "more", "sentence"), [
+    ("rasterization", "", "line 11: first is marked as exercise 1.1, but rasterization is lab 2; "),
+    ("transforms", "\n# exercise 2\n", "line 44: the comment")])
+def test_a_wrong_mark_is_told_with_its_file(course, name, more, sentence):
+    """A lab copied from another keeps the other's numbers. Or the sentence says the line, but of
+    which of sixteen files?
+    """
+    put(course, {f"reference/{name}.py": MODULE + more})
+    with pytest.raises(ValueError, match=f"^reference/{name}.py, {re.escape(sentence)}"):
         skeleton.run()
     assert not list((course / "labs").iterdir())
-
-
-def test_a_wrong_mark_is_told_with_its_file(course):
-    """The sentence says the line, but of which of sixteen files?"""
-    (course / "reference" / "transforms.py").write_text(MODULE + "\n# exercise 2\n")
-    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 44: the comment"):
-        skeleton.run()
 
 
 def behind():

@@ -1,6 +1,10 @@
 """What writes the pages of the web site from what the course holds, and what extends Sphinx."""
+import contextlib
+import functools
 import html
+import http.server
 import io
+import threading
 
 from PIL import ImageSequence
 
@@ -32,3 +36,18 @@ def webp(folder, name, opened):
                    save_all=bool(others), duration=times[:len(others) + 1], loop=0)
         put(folder / f"{file}.webp", made.getvalue())
     return len(frames)
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@contextlib.contextmanager
+def served(folder):
+    """-> the address at which this folder's files are served."""
+    handler = functools.partial(Quiet, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()

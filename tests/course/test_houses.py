@@ -182,19 +182,19 @@ for name in demo.SCENES:
     demo.scene(name)
 for name in exercises.topics():
     importlib.import_module(f"labs.{name}")
+told = "print([name for name in sys.modules if name.partition('.')[0] == 'apps'])"
+exec(told)
+importlib.import_module("apps.bridge")
+exec(told)
 """
 
 
-@pytest.mark.parametrize(("line", "loaded"), [
-    ("", []), ("importlib.import_module('apps.bridge')", ["apps", "apps.bridge"])])
-def test_no_lecture_lab_or_scene_loads_an_app(line, loaded):
+def test_no_lecture_lab_or_scene_loads_an_app():
     """By its name, or through a module that it imports: a lecture waits for all of a tool, and
-    must be run again when the tool changes.
+    must be run again when the tool changes. Or the test passes, whatever is loaded.
     """
-    told = "print([name for name in sys.modules if name.partition('.')[0] == 'apps'])"
-    done = subprocess.run([sys.executable, "-c", LOADED + f"{line}\n{told}"], cwd=ROOT,
-                          capture_output=True, text=True)
-    assert done.stdout == f"{loaded}\n", done.stderr
+    done = subprocess.run([sys.executable, "-c", LOADED], cwd=ROOT, capture_output=True, text=True)
+    assert done.stdout == "[]\n['apps', 'apps.bridge']\n", done.stderr
 
 
 @pytest.mark.parametrize("more", [(), ["transforms.look_at is shown"]])

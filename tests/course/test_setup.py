@@ -8,13 +8,13 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 import zipfile
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from afresh import wait_until
 from submitted import put
 
 COURSE = Path(__file__).parents[2] / "course"
@@ -211,10 +211,7 @@ def test_ctrl_c_during_set_up_is_one_sentence_and_the_next_start_makes_the_venv_
                                "Path('reached').touch(); time.sleep(60)"})
     child = subprocess.Popen([sys.executable, "-m", "course", "0"], cwd=new, text=True,
                              stderr=subprocess.PIPE, env=surroundings(new), start_new_session=True)
-    patience = time.monotonic() + 60
-    while not (new / "reached").exists():
-        assert time.monotonic() < patience, "the start does not come so far"
-        time.sleep(0.01)
+    wait_until((new / "reached").exists, "the start does not come so far")
     os.killpg(child.pid, signal.SIGINT)
     errors = child.communicate(timeout=60)[1]
     assert child.returncode == 130 and "interrupted" in errors.splitlines()[-1]

@@ -1,11 +1,8 @@
 """What the tests of the web site share: a browser, and pages that may not fail."""
 import re
-import sys
 
 import pytest
-from serving import ROOT, SITE, served
-
-sys.path.insert(0, str(ROOT / "site"))  # for the tests of what makes the site
+from serving import SITE
 
 
 @pytest.fixture(scope="session")
@@ -22,6 +19,7 @@ def browser():
 @pytest.fixture(scope="session")
 def address():
     """The address of the site that was made."""
+    from pages import served
     with served(SITE) as there:
         yield there
 

@@ -4,15 +4,15 @@ import shutil
 
 import numpy as np
 import pytest
-from pages import webp
+from pages import served, webp
 from PIL import Image
-from serving import PAGES, ROOT, SITE, served, soup
+from serving import PAGES, ROOT, SITE, soup
 
 # As in a file of the course, the film's end stands first.
 FRAMES = [np.full((40, 60, 3), shade, np.uint8) for shade in (10, 90, 250)]
 HEAD = ('<!doctype html><html lang="en"><title>t</title><link rel="icon" href="data:,">'
         '<link rel="stylesheet" href="static/players/players.css">'
-        '<script type="module" src="static/players/begin.js"></script>')
+        '<script type="module" src="static/players/animation.js"></script>')
 FILM = ('<figure class="animation" data-file="film.webp" data-frames="3"{}>'
         '<img src="film_still.webp" alt="grey" width="60" height="40"></figure>')
 COUNT_DRAWS = """window.draws = 0;

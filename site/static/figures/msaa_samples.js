@@ -126,8 +126,8 @@ export function show(place) {
     const bar = (row, value, who, style) => [
       price.rectangle([0, row], 9 * value / MOST, 1.1, style),
       price.text([9 * value / MOST, row], `${value.toLocaleString("en")} ${who}`, "", [6, 5])];
-    price.draw(bar(2, shades, "shades by MSAA", "bar few"),
-               bar(0.3, samples, "by supersampling", "bar many"));
+    price.draw(bar(2, shades, "shades by MSAA", "bar descent"),
+               bar(0.3, samples, "by supersampling", "bar"));
   }
 
   fill(place, draw, "Choose 1, 4 or 16 samples. Point at pixels. Drag vertex 2.",

@@ -3,7 +3,7 @@ import { fill, html, number, Sheet, slider, sway } from "./paper.js";
 
 const WIDTH = 2.4, LARGE = { radius: 2.5, x: 0.4 };  // of the picture; the ball behind
 const SHIFTS = 400, START = 0.55, SWING = 0.3, LEFT = -3.4, HIGH = 2.6;
-const METHODS = [["lecture 08", "many"], ["DRTK’s rule", "part"], ["walk", "whole"]];
+const METHODS = [["lecture 08", ""], ["DRTK’s rule", "second"], ["walk", "first"]];
 
 /** Where the face of a ball that is seen at x ends: [x0, x1], the ball of radius 1 with an end at
  *  its outline. */

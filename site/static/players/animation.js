@@ -1,5 +1,5 @@
-// An animated WebP with play, pause and a slider. It is fetched when it is first played, and rests
-// while it is out of sight.
+// The films of a page: animated WebPs with play, pause and a slider. Each is fetched when it is
+// first played, and rests while it is out of sight. Without scripts, stills stand there.
 //
 //   <figure class="animation" data-file="x.webp" data-frames="25" [data-autoplay]>
 //     <img src="still.webp"></figure>
@@ -10,7 +10,7 @@
 
 const make = (name, properties) => Object.assign(document.createElement(name), properties);
 
-export function show(figure) {
+document.querySelectorAll("figure.animation").forEach((figure) => {
   const { file, frames } = figure.dataset, end = frames - 1;
   const still = figure.querySelector("img"), poster = still.src;
   const decodes = "ImageDecoder" in window;
@@ -69,7 +69,7 @@ export function show(figure) {
     isSeen = entries.at(-1).isIntersecting;
     if (playing) draw();
   }).observe(figure);
-}
+});
 
 // The film's frames from its beginning to its end. Each knows its duration in microseconds.
 async function decoded(file, frames) {

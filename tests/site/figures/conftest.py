@@ -5,8 +5,8 @@ import shutil
 
 import numpy as np
 import pytest
+from pages import served
 from reading import NAMES, SOURCE, opened
-from serving import served
 
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{name}</title>
 <meta name="viewport" content="width=device-width"><link rel="icon" href="data:,">

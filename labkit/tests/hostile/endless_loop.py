@@ -1,6 +1,0 @@
-"""A loop without an end, in Python."""
-
-
-def double(x):
-    while True:
-        pass
