@@ -64,7 +64,8 @@ def numbers_of(look, n):
     """Direction, changes and bias of pixel n. Kernels take them as numbers: of arrays, numba would
     count the owners, for longer than all the rest takes.
     """
-    d, c, b = look.directions[n], look.changes[n % len(look.changes)], look.bias[n % len(look.bias)]
+    d, c = look.directions[n], look.changes[n if look.has_changes else 0]
+    b = look.bias[n if len(look.bias) > 1 else 0]
     return ((np.float64(d[0]), np.float64(d[1]), np.float64(d[2])),
             (np.float64(c[0]), np.float64(c[1]), np.float64(c[2]),
              np.float64(c[3]), np.float64(c[4]), np.float64(c[5])), np.float64(b[0]))
