@@ -4,6 +4,7 @@ In this process `import nvdiffrast.torch` and `import neural_renderer` find the 
 folder, and "cuda" means the processor.
 """
 import contextlib
+import dataclasses
 import functools
 import importlib.util
 import os
@@ -38,6 +39,7 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
                ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
 BEHIND = re.compile(r"^\| `(?:dr|nr)\.(\w+)` (.*)$", re.MULTILINE)  # README's row of a call
 WRONG = {"not started": "not written", "failed": "failing"}
+TENSORS = re.compile(r"(cuda\.|OnCard.*\.)?(\w+Tensor)")  # in the text of a type, or in its name
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
 
@@ -136,6 +138,19 @@ class DataParallel(torch.nn.DataParallel):
         self.module, self.device_ids = module, []
 
 
+@dataclasses.dataclass
+class OnCard:
+    """torch.cuda.FloatTensor and its like: a type of tensors that makes some, there."""
+
+    kind: type
+
+    def __call__(self, *given):
+        return card.put(self.kind(*given))
+
+    def __instancecheck__(self, value):
+        return isinstance(value, self.kind) and value.is_cuda
+
+
 class Idle:
     """A stream, an event or a profiler of the card. All is done in the program's own order, so
     nothing waits, and whatever is asked for is done.
@@ -187,7 +202,9 @@ def pretend_cuda():
     for name, answer in ANSWERS.items():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
-        setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
+        setattr(torch.cuda, f"{kind}Tensor", OnCard(getattr(torch, f"{kind}Tensor")))
+    typed, torch.set_default_tensor_type = torch.Tensor.type, default_type
+    torch.Tensor.type = lambda tensor, dtype=None, *_, **__: of_type(tensor, typed, dtype)
     torch.Generator, torch.cuda.stream = Generator, contextlib.nullcontext
     for name in "Event", "Stream", "current_stream", "default_stream":
         setattr(torch.cuda, name, Idle)
@@ -201,8 +218,8 @@ def on_processor(function):
     """A function of PyTorch that makes tensors, on the processor."""
     @functools.wraps(function)
     def made(*args, **kwargs):
-        devices = [kwargs.get("device")]  # and those of torch.device and set_default_device
-        devices += [getattr(mode, "device", None) for mode in modes()[::-1]]
+        # And those of torch.device and set_default_device:
+        devices = kwargs.get("device"), *(getattr(mode, "device", None) for mode in modes()[::-1])
         if not is_cuda(next((device for device in devices if device is not None), None)):
             return function(*args, **kwargs)
         return card.put(function(*args, **{**kwargs, "device": "cpu"}))
@@ -211,11 +228,13 @@ def on_processor(function):
 
 
 def moved(tensor, to, device=None, *others, **named):
-    """Tensor.to, which takes a device first or by name; or what has a type, first.
+    """Tensor.to, which takes a device or a tensor first or by name; or a type of numbers, first.
 
     What is moved shares no memory with what stays, as between processor and graphics card. A leaf
     that is there already, as Parameters are taken to be, stays the one that an optimizer knows.
     """
+    if isinstance(device, torch.Tensor):  # to its place, and to its type
+        device, others = device.device, (device.dtype, *others)
     is_there = is_cuda(device)
     if not is_there and not isinstance(device, str | torch.device):
         return to(tensor, device, *others, **named)
@@ -226,6 +245,21 @@ def moved(tensor, to, device=None, *others, **named):
         made = made.clone()
     card.place(made).is_on_card = is_there
     return made
+
+
+def of_type(tensor, typed, dtype):
+    """Tensor.type, which moves what it takes to a type of tensors elsewhere."""
+    named = TENSORS.search(str(dtype))
+    if not named or not (named[1] or card.has(tensor)):
+        return typed(tensor, dtype)
+    return tensor.to("cuda" if named[1] else "cpu", getattr(torch, named[2]).dtype)
+
+
+def default_type(kind):
+    """Tensors are of this type, as OnCard, unless something else is asked for."""
+    is_there, name = TENSORS.search(str(kind)).groups()
+    torch.set_default_dtype(getattr(torch, name).dtype)
+    torch.set_default_device("cuda" if is_there else None)
 
 
 def is_cuda(device):

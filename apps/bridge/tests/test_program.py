@@ -19,7 +19,11 @@ there = torch.from_numpy(numbers).to(device, torch.float32)
 there.cpu().numpy()[:] = 5
 numbers[:] = 7
 assert (there == 1).all()
-known = torch.nn.Parameter(torch.cuda.FloatTensor([1, 2]))
+floats = torch.cuda.FloatTensor([1, 2])
+assert isinstance(floats + there[:2], torch.cuda.FloatTensor) and floats.type(torch.float64).is_cuda
+assert torch.ones(2).to(floats).is_cuda and torch.ones(2).type("torch.cuda.LongTensor").is_cuda
+assert (floats.type(torch.FloatTensor) + torch.ones(2)).sum() == 5
+known = torch.nn.Parameter(floats)
 assert known.cuda() is known and not torch.ones(3, requires_grad=True).cuda().is_leaf
 assert torch.zeros(2).cuda().requires_grad_().to(device).is_leaf
 assert torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
@@ -41,7 +45,7 @@ with (torch.cuda.stream(torch.cuda.Stream()), torch.random.fork_rng(), torch.cud
     apart = torch.compile(torch.nn.DataParallel(torch.nn.Linear(3, 2).cuda()), mode="max-autotune")
     assert apart(torch.ones(1, 3, device="cuda")).shape == (1, 2) and apart.module.weight.is_leaf
 clip = torch.tensor([[[-1, -1, 0, 1], [1, -1, 0, 1], [0, 1, 0, 1.0]]], device="cuda")
-torch.set_default_device(device), (tri := torch.tensor([[0, 1, 2]], dtype=torch.int32))
+torch.set_default_tensor_type(torch.cuda.FloatTensor), (tri := torch.tensor([[0, 1, 2]]).int())
 torch.set_default_device(None), (context := dr.RasterizeGLContext(device=device))
 rast, _ = dr.rasterize(context, clip, tri, (4, 6))
 print("ARGS", sys.argv, beside.NUMBER, int(rast[..., 3].sum()))
