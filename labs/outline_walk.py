@@ -47,13 +47,13 @@ def enter_faces(owner, other, corner, screen, faces, width):  # step 8.12
 
 
 def put(pairs, n, new):
-    """Write new Pairs over those of the numbers n, or over those where n is True."""
+    """Write new Pairs over those at n, which is numbers or bool (N,): pairs change in place."""
     for values, new_values in zip(pairs, new, strict=True):
         values[..., n] = new_values
 
 
 def step_over(pairs, n, opposite, screen, faces, width):
-    """The pairs of the numbers n walk on, each over its edge into the face across: they change."""
+    """Move the pairs n (M,) over their edges into the faces across: pairs change in place."""
     across = opposite[pairs.face[n], pairs.edge[n]]
     put(pairs, n, enter_faces(pairs.owner[n], pairs.other[n], across, screen, faces, width))
 
@@ -63,7 +63,7 @@ def walk(pairs, goal, screen, faces, opposite, silhouette, width):  # exercise 8
 
     pairs: the first steps, of `leave_faces`. Go on as long as c < 1, the edge is no silhouette,
     bool (F, 3), and the face across, by opposite (F, 3) of `opposite_corners`, is not goal (N,),
-    which the other pixel sees. The given `step_over` changes the pairs n (M,): change a copy.
+    which the other pixel sees. The given `step_over` moves pairs in place: work on a copy.
 
     >>> screen = np.array([[0.0, 0.5, 0.5, 1.25], [1.0, -1.0, 3.0, 0.0], [1.0, 1.0, 1.0, 1.0]])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[5, -1, -1], [-1, -1, 0]])
