@@ -7,6 +7,7 @@ import importlib.metadata
 import io
 import json
 import re
+import shutil
 import sys
 import tarfile
 from pathlib import Path
@@ -42,8 +43,8 @@ def write(extra, python):
     put(extra / "practice" / "course.tar.bz2", packed(files()))
     for name in later():
         put(extra / "practice" / name, (places.ROOT / name).read_bytes())
-    for path in Path(python).iterdir() if python else ():
-        put(extra / "python" / path.name, path.read_bytes())
+    if python:
+        shutil.copytree(python, extra / "python")
     with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
         return drawings(extra)
 
