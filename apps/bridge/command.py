@@ -3,7 +3,6 @@ import argparse
 
 from course.given.whose import Lacking
 
-NAME = "rasterization-bridge"  # what pip install apps/bridge brings; in the course: run
 OPTIONS = (
     (("-m",), {"action": "store_true", "dest": "is_module",
                "help": "SCRIPT.py is the name of a module, as in python -m"}),
@@ -16,12 +15,12 @@ OPTIONS = (
 
 def main():
     """The command line -> its exit status, or the sentence that says what the program lacks."""
-    parser = argparse.ArgumentParser(NAME, description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__)
     for names, settings in OPTIONS:
         parser.add_argument(*names, **settings)
     asked = parser.parse_args()
-    from . import program
     try:
+        from . import program
         return program.run(asked.script, asked.args, None, asked.is_module, asked.strict)
     except Lacking as error:
-        return f"{NAME}: {error}"
+        return f"rasterization-bridge: {error}"

@@ -8,7 +8,9 @@ from labkit.contract import UNFINISHED
 
 
 class Lacking(ValueError):
-    """A module cannot be imported, or an exercise is not written: which, in one sentence."""
+    """A module cannot be imported, an exercise is not written, or a program of others needs more
+    than there is: what, in one sentence.
+    """
 
 
 class Labs:
