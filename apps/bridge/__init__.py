@@ -5,5 +5,6 @@
     nvdiffrast        what `import nvdiffrast.torch` finds
     neural_renderer   what `import neural_renderer` finds
     program           somebody's program, run as it is
+    command           the command line of the package that is installed alone
     setup             a step of pip install apps/bridge
 """

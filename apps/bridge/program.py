@@ -1,4 +1,5 @@
 """Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS, or run -m PACKAGE ARGS.
+Where the package is installed alone, rasterization-bridge stands for python3 -m course run.
 
 In this process `import nvdiffrast.torch` and `import neural_renderer` find the interfaces of this
 folder, and "cuda" means the processor.
@@ -6,7 +7,6 @@ folder, and "cuda" means the processor.
 import contextlib
 import dataclasses
 import functools
-import importlib.util
 import os
 import platform
 import re
@@ -21,9 +21,7 @@ os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask fo
 import torch
 from torch.overrides import _get_current_function_mode_stack as modes
 
-from course.given import whose
-from labkit import exercises
-from labkit.table import COMMAND
+from course.given.whose import Labs, Lacking, exercises_named, wrong_in_labs
 
 from . import card, tensors
 
@@ -38,7 +36,6 @@ ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchr
            "ipc_collect": None, "reset_peak_memory_stats": None, **dict.fromkeys(
                ("memory_allocated", "max_memory_allocated", "memory_reserved"), 0)}
 BEHIND = re.compile(r"^\| `(?:dr|nr)\.(\w+)` (.*)$", re.MULTILINE)  # README's row of a call
-WRONG = {"not started": "not written", "failed": "failing"}
 TENSORS = re.compile(r"(cuda\.|OnCard.*\.)?(\w+Tensor)")  # in the text of a type, or in its name
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 WANTS_KERNELS = re.compile("CUDA_HOME|nvcc")
@@ -48,13 +45,13 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     """Run a program as `python SCRIPT ARGUMENTS` would, or `python -m SCRIPT ARGUMENTS`, by the
     reference or by labs/. is_strict: refuse what a graphics card refuses.
 
-    ValueError, in one sentence: there is no such file, or it needs a package or more of CUDA.
-    Lacking: it needs an exercise that is not written.
+    Lacking, in one sentence: there is no such file, or it needs a package, more of CUDA or an
+    exercise that is not written.
     """
     path = Path(script).resolve()
     if not is_module and not path.is_file():
-        raise ValueError(f"there is no program {script}; give the path of a .py file")
-    tensors.labs = whose.Labs(implementation)
+        raise Lacking(f"there is no program {script}; give the path of a .py file")
+    tensors.labs = Labs(implementation)
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
     sys.argv[:] = str(script), *arguments
@@ -62,7 +59,7 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     sys.path[:] = str(first), str(here), *sys.path[1:], sys.path[0]  # the course itself comes last
     name_wrong("" if is_module else path.read_text("utf-8", "replace"))
     pretend()
-    with whose.exercises_named(), needs_named(script):
+    with exercises_named(), needs_named(script):
         try:
             started(script, is_module, is_strict)
         except OSError as error:  # of its own: for the command line it would be one of the course
@@ -89,38 +86,31 @@ def name_wrong(program):
     """
     if tensors.labs.package != "labs":
         return
-    from labkit import verdicts  # and so pytest
-    from labkit.checks import runner
     rows = re.findall(BEHIND, Path(__file__).with_name("README.md").read_text("utf-8"))
     named = [row for name, row in rows if re.search(rf"\.{name}|import.*{name}", program)]
-    labs, _ = exercises.asked_for(None)
-    code, = importlib.util.find_spec("labs").submodule_search_locations
-    numbers = {*re.findall(r"\d+\.\d+", str(named or rows))}
-    checks, _ = runner.run_checks(labs, numbers - verdicts.closed_extras(labs, Path(code)), code, 0)
-    wrong = dict.fromkeys(f"{check.exercise} {WRONG[check.verdict]}" for check in checks
-                          if check.verdict in WRONG and not check.fine_print)
+    wrong = wrong_in_labs({*re.findall(r"\d+\.\d+", str(named or rows))})
     if wrong:
-        print(f"course: of what it may call, {', '.join(wrong)}; {COMMAND} check NUMBER says more",
-              file=sys.stderr, flush=True)
+        print(f"course: of what it may call, {', '.join(wrong)}; python3 -m course check NUMBER "
+              "says more", file=sys.stderr, flush=True)
 
 
 @contextlib.contextmanager
 def needs_named(script):
-    """What a program lacks, a package or a graphics card, becomes a ValueError."""
+    """What a program lacks, a package or a graphics card, becomes Lacking."""
     try:
         yield
     except ModuleNotFoundError as error:
         if not error.name:
             raise
-        raise ValueError(f"{script} needs the package {error.name}, which is not installed beside "
-                         f"{sys.executable}; if it works without CUDA, install it there") from error
+        raise Lacking(f"{script} needs the package {error.name}, which is not installed beside "
+                      f"{sys.executable}; if it works without CUDA, install it there") from error
     except (AssertionError, OSError, RuntimeError) as error:
         if not WANTS_MORE.search(str(error)):
             raise
         said = ("it compiles CUDA kernels of its own, which only a graphics card can run"
                 if WANTS_KERNELS.search(str(error)) else str(error).splitlines()[0])
-        raise ValueError(f"{script} wants more of CUDA than that it means the processor: "
-                         f"{said}") from error
+        raise Lacking(f"{script} wants more of CUDA than that it means the processor: "
+                      f"{said}") from error
 
 
 class Generator(torch.Generator):

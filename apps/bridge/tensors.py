@@ -13,7 +13,7 @@ FLOATS = torch.float32, torch.float64  # CUDA's kernels take the first alone
 INTEGERS = torch.int32,
 GRID = os.environ.get("BRIDGE_GRID", "0")
 if not GRID.isdecimal():
-    raise ValueError(f"BRIDGE_GRID must be a whole number, such as 16; it is {GRID}")
+    raise whose.Lacking(f"BRIDGE_GRID must be a whole number, such as 16; it is {GRID}")
 GRID = int(GRID)  # in a pixel, vertices have so many places; 0: all
 EXACT = 2**24  # so far, float32 holds all whole numbers
 DTYPES = {torch.float32: np.float32, torch.float64: np.float64}

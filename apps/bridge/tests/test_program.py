@@ -74,15 +74,21 @@ def made(_):
 if __name__ == "__main__":
     print(made(0), multiprocessing.get_context("spawn").Pool(1).map(made, [0]))
 '''
+COMMAND = '''
+import importlib.metadata, site, sys
+site.addsitedir(sys.argv.pop(1))
+command, = importlib.metadata.entry_points(name="rasterization-bridge")
+sys.exit(command.load()())
+'''
 
 
-def run(folder, program, *options):
+def run(folder, program, *options, start=(ROOT / "course", "run")):
     """Run a program in a folder -> its exit status, and what it printed."""
     (folder / "program.py").write_text(program)
     (folder / "beside.py").write_text("NUMBER = 42")
     name = "program" if "-m" in options else "program.py"
-    done = subprocess.run([sys.executable, str(ROOT / "course"), "run", *options, name,
-                           "--impl", "its own"], cwd=folder, capture_output=True, text=True)
+    done = subprocess.run([sys.executable, *start, *options, name, "--impl", "its own"],
+                          cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -136,14 +142,28 @@ def test_an_exercise_that_is_wrong_is_named_at_the_start(tmp_path):
     assert "course: of what it may call, 8.11 failing, 8.6 not written, 8.7 not writt" in printed
 
 
+def installed(folder):
+    """The folder that the package alone is installed into."""
+    pytest.importorskip("setuptools", minversion="77", reason="the package's build needs it")
+    install = sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation"
+    subprocess.run([*install, "--target", folder / "site", ROOT / "apps" / "bridge"], check=True)
+    return folder / "site"
+
+
+def test_installed_its_command_runs_programs_and_says_what_they_lack(tmp_path):
+    """It needs what only a clone has, or ends in a traceback."""
+    start = "-c", COMMAND, installed(tmp_path)
+    status, said = run(tmp_path, WHOLE, "--strict", start=start)
+    assert (status, "', '--impl', 'its own'] 42 12" in said) == (3, True), said
+    status, said = run(tmp_path, "import tinycudann", start=start)
+    assert status == 1 and "\nrasterization-bridge: program.py needs the package tinycu" in said
+
+
 def test_installed_it_is_found_without_the_course_but_after_a_real_one(tmp_path):
     """A module is missing in the package, a spawned worker does not find it, or it hides the real
     nvdiffrast.
     """
-    pytest.importorskip("setuptools", minversion="77", reason="the package's build needs it")
-    site = tmp_path / "site"
-    install = sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation"
-    subprocess.run([*install, "--target", site, ROOT / "apps" / "bridge"], check=True)
+    site = installed(tmp_path)
     (tmp_path / "use.py").write_text(INSTALLED)
     use = sys.executable, "use.py", site
     assert subprocess.check_output(use, cwd=tmp_path, text=True).strip() == "12 [12]"
