@@ -67,7 +67,7 @@ LECTURE = (
     "    print(word, flush=True)\n"
     "print(os.path.samefile('course/given/plot.py', plot.__file__))",
     "# live\nimport ipywidgets\nipywidgets.IntSlider()",
-    "# figure: squares that grow,\n#   faster and faster\n# figure: a diagonal\n# opening\n"
+    "# figure: squares that grow,\n#   faster and faster\n# figure: a diagonal\n"
     "figure, axes = plt.subplots()\n"
     "axes.plot(np.arange(5) ** 2)\n"
     "plt.show()\n"
@@ -118,9 +118,9 @@ def test_text_is_one_output_from_the_courses_folder_and_a_live_cell_has_none(cel
     assert cells[3]["outputs"] == [] and cells[3]["source"][0] == "# live\n"
 
 
-def test_each_figure_is_a_whole_page_and_told(written, cells):
+def test_each_figure_is_a_whole_page_and_told(cells):
     """Trimmed margins, which give each figure a width of its own; matplotlib's name in the PNG; a
-    figure that says nothing to those who do not see it; an opening that shows another one.
+    figure that says nothing to those who do not see it.
     """
     shown = [output["data"]["image/png"] for output in cells[4]["outputs"]]
     contents = [base64.b64decode(picture) for picture in shown]
@@ -130,7 +130,6 @@ def test_each_figure_is_a_whole_page_and_told(written, cells):
     assert [one["width"] for one in metadata] == [960, 960]
     assert [one["alt"] for one in metadata] == ["squares that grow, faster and faster",
                                                 "a diagonal"]
-    assert (written.parent / "openings" / "03_lecture.png").read_bytes() == contents[-1]
 
 
 def test_what_only_opens_a_lecture_is_kept_beside_it_and_told_when_it_changes(tmp_path, capsys):

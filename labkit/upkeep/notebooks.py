@@ -24,10 +24,9 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
     # figure: a triangle over a pixel grid; the seven pixels whose centres
     # lie inside are blue
 
-A lecture opens with its best picture or film, before any code. A cell with the line `# opening`
-draws it, where the text reaches it. Its last picture is written to openings/NN_topic.png, too. A
-cell that begins with `# opening:` and what its picture shows, as `# figure:` does, draws nothing
-else: its picture is kept in openings/ alone, so that no reader of the page sees it twice.
+A lecture opens with its best picture or film, before any code. A cell that begins with `# opening:`
+and what its picture shows, as `# figure:` does, draws it and nothing else. The picture is kept in
+openings/NN_topic.png alone, so that no reader of the page sees it twice.
 """
 import base64
 import contextlib
@@ -333,6 +332,5 @@ def shown_at_the_top(cell, content):
 
 def openings(notebook):
     """The picture with which a lecture opens, as a list of one PNG file's bytes, or of none."""
-    cells = [cell for cell in notebook.cells if re.search(r"^# opening(:|$)", cell.source, re.M)]
-    return [base64.b64decode(output.data["image/png"])
-            for cell in cells for output in pictures.pictures_of(cell)[-1:]]
+    return [base64.b64decode(output.data["image/png"]) for cell in notebook.cells
+            if cell.source.startswith(ONLY_OPENS) for output in pictures.pictures_of(cell)[-1:]]

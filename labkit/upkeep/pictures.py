@@ -14,7 +14,7 @@ MARGIN = 12                                        # dots above and below a pict
 
 def told(source):
     """What is said of a cell's pictures, in their order: its comments `# figure: ...`."""
-    comments = re.findall(r"^# (?:figure|opening): *(.*(?:\n#(?! figure:| opening$).*)*)", source,
+    comments = re.findall(r"^# (?:figure|opening): *(.*(?:\n#(?! figure:).*)*)", source,
                           re.MULTILINE)
     return [re.sub(r"\s*\n#\s*", " ", comment).strip() for comment in comments]
 
