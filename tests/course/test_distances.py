@@ -71,11 +71,13 @@ def test_corners_are_their_own_nearest_points():
         np.testing.assert_allclose(got, vertices, atol=1e-12)
 
 
+CORNER = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]])
+
+
 def test_samples_lie_evenly_on_the_surface():
     """More points on small faces, or in one corner of each."""
-    vertices = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]])
     faces = np.array([[0, 1, 2], [0, 2, 3]])
-    points = distances.sample_surface(vertices, faces, 40000, np.random.default_rng(0))
+    points = distances.sample_surface(CORNER, faces, 40000, np.random.default_rng(0))
     first = points[:, 2] == 0
     assert abs(first.mean() - 0.75) < 0.01
     np.testing.assert_allclose(points[first].mean(0), [1, 4 / 3, 0], atol=0.03)
@@ -84,8 +86,7 @@ def test_samples_lie_evenly_on_the_surface():
 
 def test_distances_between_surfaces_have_a_side_each():
     """Both ways are one: a face that is missing is not seen from the other mesh."""
-    vertices = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]])
     both, one = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0, 1, 2]])
-    assert max(distances.surface_distances(vertices, one, vertices, both)) < 1e-12
-    mean, greatest = distances.surface_distances(vertices, both, vertices, one)
+    assert max(distances.surface_distances(CORNER, one, CORNER, both)) < 1e-12
+    mean, greatest = distances.surface_distances(CORNER, both, CORNER, one)
     np.testing.assert_allclose([mean, greatest], [0.25 / 3, 1], rtol=0.05)

@@ -49,9 +49,8 @@ def test_gradients_inside_a_box_on_paper(impl):
 def test_on_the_surface_and_in_the_middle_of_a_box(impl):
     """0 / 0 on the surface; sign(0) = 0 in the middle; or equally near sides share."""
     points = np.array([[0.5, 0.3, 0.2], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [-0.25, -0.25, 0.0]])
-    half = np.array([0.5, 1.0, 1.5])
     expected = np.array([[1.0, 0, 0], [0, -1.0, 0], [1.0, 0, 0], [-1.0, 0, 0]])
-    assert_close(impl.box_backward(np.ones(4), points, half), expected)
+    assert_close(impl.box_backward(np.ones(4), points, HALF), expected)
     cube, at = np.full(3, 1.0), np.array([[0.2, -0.7, 0.7], [0.0, 0.1, -0.1], [-1.0, -1.0, 1.0]])
     expected = np.array([[0, -1.0, 0], [0, 1.0, 0], [-1.0, 0, 0]])
     assert_close(impl.box_backward(np.ones(3), at, cube), expected)
@@ -343,6 +342,7 @@ def test_thick_and_short_pieces(impl):
 
 
 PASSED = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2]])  # T before and behind 3 samples
+GRAD_OUTPUT = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
 
 
 def two_rays():
@@ -395,12 +395,11 @@ def test_gradients_of_densities_on_paper(impl):
     added, or lack their T. Or it holds the sample itself, or those in front. T before the sample,
     or its weight, stands for T behind it. spacing or grad_output is missing.
     """
-    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
     # The loss feels the colours as 10, 27, 17 and 40; 9, 10, 1 and -7. Behind each sample is
     # 11.8, 9.1, 4; 2, -1, -1.4.
     expected = [[0.5 * (0.5 * 10 - 11.8), 2 * (0.4 * 27 - 9.1), 4 * (0.1 * 17 - 4)],
                 [3 * (0.9 * 9 - 2), (0.6 * 10 + 1) / 4, 1.5 * (0.2 * 1 + 1.4)]]
-    assert_close(impl.volume_render_backward(grad_output, *two_rays())[0], expected)
+    assert_close(impl.volume_render_backward(GRAD_OUTPUT, *two_rays())[0], expected)
 
 
 @exercise("15.6")
@@ -408,10 +407,9 @@ def test_gradients_of_colours_on_paper(impl):
     """grad_colour: the weights are missing, or T or the opacity alone stands for them, or it is
     multiplied by the colour or by spacing; or grad_output is missing.
     """
-    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
     weights = np.array([[0.5, 0.1, 0.3], [0.1, 0.3, 0.4]])
-    got = impl.volume_render_backward(grad_output, *two_rays())[1]
-    assert_close(got, weights[..., None] * grad_output[:, None])
+    got = impl.volume_render_backward(GRAD_OUTPUT, *two_rays())[1]
+    assert_close(got, weights[..., None] * GRAD_OUTPUT[:, None])
 
 
 @exercise("15.6")

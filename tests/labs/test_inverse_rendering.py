@@ -368,6 +368,10 @@ def test_angles_near_pi_keep_their_digits(impl, rng, short):
     assert_close(np.pi - impl.rotation_angle(still, large), short, atol=1e-14)
 
 
+COVERAGE = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
+TARGET = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
+
+
 def loss_of(impl, coverage, target):
     """The first of the two outputs."""
     return two(impl.silhouette_loss(coverage, target))[0]
@@ -379,9 +383,7 @@ def test_silhouettes_on_paper(impl):
     all, or has a number added. It is the Dice loss, or a mean of the ratios of pixels or rows, not
     the ratio of the sums. c and t are rounded to 0 or 1.
     """
-    coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
-    target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
-    assert_close(loss_of(impl, coverage, target), 5 / 9)  # 1 - 2 / 4.5
+    assert_close(loss_of(impl, COVERAGE, TARGET), 5 / 9)  # 1 - 2 / 4.5
 
 
 @exercise("9.5")
@@ -420,9 +422,7 @@ def test_silhouette_gradients_on_paper(impl):
     constant, or is each pixel's. The union's derivative is 1 - t, not 1: c t is in it. It is
     divided by U, not by U^2. coverage and target are exchanged.
     """
-    coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
-    target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
-    _, grad_coverage = two(impl.silhouette_loss(coverage, target))
+    _, grad_coverage = two(impl.silhouette_loss(COVERAGE, TARGET))
     # A = 2, U = 4.5: (A (1 - t) - U t) / U^2 = (8 - 26 t) / 81.
     assert_close(-81 * grad_coverage, [[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]])
 

@@ -39,6 +39,10 @@ def test_it_is_the_inverse_for_either_winding(impl, rng):
     assert_close(impl.face_inverse(screen), inverse_of(screen), atol=1e-11)
 
 
+UNIT = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))  # c = (1 - x - y, x, y)
+LARGE = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])  # it covers all pixels
+
+
 # --- pixels ------------------------------------------------------------------------------------
 
 RIGHT = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])  # c = (1 - x / 4 - y / 2, x / 4, y / 2)
@@ -95,8 +99,7 @@ def test_outside_weights_are_clamped_then_divided_by_their_sum(impl):
     """Nothing is clamped, or only from below. The clamped weights are not divided by their sum, or
     are first divided and then clamped. depth has the weights before the clamp.
     """
-    inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))  # c = (1 - x - y, x, y)
-    got = impl.screen_weights_and_depth(np.stack([inverse] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
+    got = impl.screen_weights_and_depth(np.stack([UNIT] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
                                         np.array([1.5, -0.5, 2.0]), np.array([-0.75, 0.25, 3.0]))
     weight = [[0.2, 0.8, 0.0], [0.8, 0.0, 0.2], [0.0, 0.5, 0.5]]
     assert_close(got, (weight, [1 / 0.6, 1 / 0.85, 8 / 3]))
@@ -153,9 +156,8 @@ def test_what_is_clamped_has_no_gradient(impl):
     """The clamp is forgotten: a c_k below 0 or above 1 gets a gradient, too. Or nothing is divided
     by the sum of the clamped. Or grad_weight is not used.
     """
-    inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
     got = impl.screen_weights_and_depth_backward(np.array([1.0, 10.0, 100.0]), np.array(0.0),
-                                                 inverse, np.ones(3), np.array(-0.5),
+                                                 UNIT, np.ones(3), np.array(-0.5),
                                                  np.array(0.25))
     # c = 1.25, -0.5, 0.25 -> u = 1, 0, 0.25: w = 0.8, 0, 0.2, and grad . w = 20.8
     expected = np.zeros((3, 3))
@@ -272,9 +274,8 @@ def test_the_nearer_face_is_seen_and_back_faces_are_not(impl):
     (4.1, 9.0, -1)])
 def test_only_depths_between_near_and_far_are_seen(impl, near, far, expected):
     """near and far are swapped or not used. Or a face that is too near hides what is behind it."""
-    large = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])
     z = np.array([[2.0], [4.0]]) * np.ones(3)
-    corners = corners_of_screen(np.stack([large, large]), z, 4, 2)
+    corners = corners_of_screen(np.stack([LARGE, LARGE]), z, 4, 2)
     face_index, _, depth = maps(impl.rasterize(corners, 4, 2, near, far))
     assert_picture(face_index, np.full((2, 4), expected))
     assert_picture(depth, np.full((2, 4), {0: 2.0, 1: 4.0, -1: np.inf}[expected]), atol=1e-9)
@@ -283,8 +284,7 @@ def test_only_depths_between_near_and_far_are_seen(impl, near, far, expected):
 @exercise("10.3")
 def test_near_and_far_cut_a_face_where_its_pixels_are(impl):
     """near and far are asked of a face: of its nearest or farthest corner, or of their mean."""
-    large = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])
-    corners = corners_of_screen(large[None], np.array([[1.0, 9.0, 3.0]]), 9, 7)
+    corners = corners_of_screen(LARGE[None], np.array([[1.0, 9.0, 3.0]]), 9, 7)
     expected = maps_by_search(corners, 9, 7, 2.0, 3.0)
     assert 9 < (expected[0] >= 0).sum() < 54
     found = maps(impl.rasterize(corners, 9, 7, 2.0, 3.0))

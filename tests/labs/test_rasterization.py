@@ -7,6 +7,8 @@ from seen_on_rays import seen_on_rays
 from labkit.checks import assert_close, assert_equal, assert_picture, exercise
 
 TRIANGLE = np.array([[1.0, 1.0], [7.0, 2.0], [3.0, 6.0]])  # counter-clockwise
+# The lower right half of any picture, in clip space.
+HALF = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
 
 
 def centres(width, height):
@@ -111,6 +113,7 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
     assert_equal((one ^ other)[edge], np.ones(edge.sum(), bool))
 
 
+POINTS = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
 WEIGHTS = np.array([[0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.125, 0.25, 0.625], [1.5, -1.0, 0.5],
                     [-1.0, 0.5, 1.5]])  # the last two are of points outside
 
@@ -121,8 +124,7 @@ def test_weights_on_paper(impl):
     divided, or divided by A for 2A (so they sum to 2). Or they are made positive.
     """
     # TRIANGLE is (1, 1), (7, 2), (3, 6), with 2A = 28.
-    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
-    assert_close(impl.screen_weights(p, TRIANGLE), WEIGHTS)
+    assert_close(impl.screen_weights(POINTS, TRIANGLE), WEIGHTS)
 
 
 @exercise("2.3")
@@ -130,8 +132,7 @@ def test_a_clockwise_triangle_has_the_same_weights(impl):
     """The area's sign is lost (its absolute value divides): a clockwise triangle gets negative
     weights. It is of either winding.
     """
-    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
-    assert_close(impl.screen_weights(p, TRIANGLE[::-1])[:, ::-1], WEIGHTS)
+    assert_close(impl.screen_weights(POINTS, TRIANGLE[::-1])[:, ::-1], WEIGHTS)
 
 
 @exercise("2.3")
@@ -166,9 +167,7 @@ def test_depth_is_mixed_by_the_weights_of_the_screen(impl):
     """Weights and corners do not match, or it is one corner's z. The weights are not divided by
     their sum, or divided by the area for twice the area.
     """
-    # WEIGHTS are those of the points in TRIANGLE; the last two lie outside.
-    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
-    _, depth = impl.cover(p, TRIANGLE, np.array([-0.5, 0.25, 0.75]))
+    _, depth = impl.cover(POINTS, TRIANGLE, np.array([-0.5, 0.25, 0.75]))
     assert_close(depth, WEIGHTS @ [-0.5, 0.25, 0.75])
 
 
@@ -446,8 +445,7 @@ def test_the_nearer_face_is_seen_whatever_the_order(impl):
     """No z-buffer: the last face wins, or the first one. The greatest depth is kept: the depth test
     is the wrong way round. depth is not updated with face_index. Depths below 0 are left out.
     """
-    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
-    clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
+    clip = np.concatenate([HALF + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
     faces = np.arange(12).reshape(4, 3)
     orders = [0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]
     found = [impl.rasterize(clip, faces[order], 4, 4) for order in orders]
@@ -473,8 +471,7 @@ def test_depth_is_linear_on_the_screen(impl):
 @exercise("2.6", fine_print=True)
 def test_of_equally_deep_faces_the_first_is_seen(impl):
     """The depth test is <= instead of <: of equally deep faces, the last one wins."""
-    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
-    clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
+    clip, faces = np.concatenate([HALF] * 3), np.arange(9).reshape(3, 3)
     face_index, _ = impl.rasterize(clip, faces, 4, 4)
     assert_picture(face_index, np.where(face_index >= 0, 0, -1))
 
@@ -506,9 +503,8 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
 @exercise("2.6")
 def test_faces_out_of_the_picture_draw_nothing(impl):
     """A box without pixels ends with an error, or a negative one counts from the other end."""
-    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
     places = [3.0, 0.0], [-3.0, 0.0], [0.0, 3.0], [0.0, -3.0], [0.0, 0.0]
-    clip = np.concatenate([triangle + [*place, 0, 0] for place in places])
+    clip = np.concatenate([HALF + [*place, 0, 0] for place in places])
     face_index, _ = impl.rasterize(clip, np.arange(15).reshape(5, 3), 4, 4)
     seen = np.arange(4) >= np.arange(4)[:, None]
     assert_picture(face_index, np.where(seen, 4, -1))

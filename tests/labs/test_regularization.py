@@ -11,6 +11,7 @@ from course.given import mesh
 from labkit.checks import assert_close, assert_equal, exercise
 
 RIGHT = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
+OBTUSE = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
 EQUILATERAL = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, np.sqrt(3)]])
 RING = np.array([[k, (k + 1) % 8] for k in range(8)])  # edges of a closed polygon
 
@@ -31,8 +32,7 @@ def test_angles_on_paper(impl):
     that. It is the cosine.
     """
     small, large = np.arctan2(3, 4), np.arctan2(4, 3)
-    obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
-    given = np.stack([RIGHT, obtuse, EQUILATERAL])[:, None]
+    given = np.stack([RIGHT, OBTUSE, EQUILATERAL])[:, None]
     expected = [[[np.pi / 2, small, large]],
                 [[3 * np.pi / 4, np.arctan2(1, 3), np.arctan2(1, 2)]], [[np.pi / 3] * 3]]
     assert_close(impl.corner_angles(given), expected)
@@ -166,9 +166,8 @@ def test_cotangents_on_paper(impl):
     go round have the other sign. Only x and y count.
     """
     acute = np.array([[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [1.0, 2.0, 2.0]])
-    obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
     expected = [[0.5, 1.5, 0.125], [-1.0, 3.0, 2.0], [0.0, 4 / 3, 3 / 4], [1 / np.sqrt(3)] * 3]
-    assert_close(impl.cotangents(np.stack([acute, obtuse, RIGHT, EQUILATERAL])), expected)
+    assert_close(impl.cotangents(np.stack([acute, OBTUSE, RIGHT, EQUILATERAL])), expected)
 
 
 @exercise("13.3")

@@ -344,19 +344,20 @@ def test_x_and_y_are_in_pixels(impl):
                                                          [480.75, 239.0]])
 
 
+PLACES = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
+
+
 @exercise("1.9")
 def test_places_are_divided_by_w(impl):
     """Nothing is divided by w, or w's sign is lost, or pixels are divided: the divide comes first.
     """
-    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
-    assert_close(impl.to_screen(clip, 10, 20)[:, :2], [[10.0, 30.0], [-5.0, 5.0], [7.5, 7.5]])
+    assert_close(impl.to_screen(PLACES, 10, 20)[:, :2], [[10.0, 30.0], [-5.0, 5.0], [7.5, 7.5]])
 
 
 @exercise("1.9")
 def test_the_depth_is_z_over_w(impl):
     """z is not divided by w, or is stretched to a range as x and y are. Or the output has no z."""
-    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
-    assert_close(impl.to_screen(clip, 10, 20)[..., 2], [-1.5, -0.25, 0.375])
+    assert_close(impl.to_screen(PLACES, 10, 20)[..., 2], [-1.5, -0.25, 0.375])
 
 
 @exercise("1.9")
