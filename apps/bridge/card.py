@@ -13,7 +13,7 @@ from torch.utils._pytree import tree_leaves
 from .tensors import require
 
 MAY_MIX = "copy_", "to", "type_as", "__getitem__", "__setitem__", "__set__"  # two devices
-APPLY = torch.autograd.Function.apply.__func__
+APPLY = vars(torch.autograd.Function)["apply"]
 
 
 def place(tensor):
@@ -68,7 +68,7 @@ def applied(function, *given):
                         f"takes torch.float32: give {name}.float()")
                 require(has(tensor) == is_there, f"{title} must be on the card: give {name}.cuda()"
                         if is_there else f"{title} must be on the processor: give ranges.cpu()")
-    made = APPLY(function, *given)
+    made = APPLY.__get__(None, function)(*given)
     return put(made) if any(map(has, tensors_in(given))) else made
 
 

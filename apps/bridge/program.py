@@ -25,7 +25,7 @@ from course.given.whose import Labs, Lacking, exercises_named, wrong_in_labs
 
 from . import card, tensors
 
-TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
+TAKES_DEVICE = "device (:class:`torch.device`, optional)"  # documented of what makes tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
            "get_device_name": platform.machine(), "get_device_capability": (0, 0),
@@ -59,25 +59,14 @@ def run(script, arguments, implementation=None, is_module=False, is_strict=False
     sys.path[:] = str(first), str(here), *sys.path[1:], sys.path[0]  # the course itself comes last
     name_wrong("" if is_module else path.read_text("utf-8", "replace"))
     pretend()
-    with exercises_named(), needs_named(script):
-        try:
-            started(script, is_module, is_strict)
-        except OSError as error:  # of its own: for the command line it would be one of the course
-            if WANTS_MORE.search(str(error)):
-                raise
-            traceback.print_exc()
-            return 1
+    with needs_named(script), exercises_named():
+        if is_strict:
+            card.refuse()
+        if is_module:
+            runpy.run_module(script, run_name="__main__", alter_sys=True)
+        else:
+            runpy.run_path(str(path), run_name="__main__")
     return 0
-
-
-def started(script, is_module, is_strict):
-    """The program itself."""
-    if is_strict:
-        card.refuse()
-    if is_module:
-        runpy.run_module(script, run_name="__main__", alter_sys=True)
-    else:
-        runpy.run_path(str(Path(script).resolve()), run_name="__main__")
 
 
 def name_wrong(program):
@@ -105,8 +94,9 @@ def needs_named(script):
         raise Lacking(f"{script} needs the package {error.name}, which is not installed beside "
                       f"{sys.executable}; if it works without CUDA, install it there") from error
     except (AssertionError, OSError, RuntimeError) as error:
-        if not WANTS_MORE.search(str(error)):
-            raise
+        if not WANTS_MORE.search(str(error)):  # of its own: no OSError of the command line
+            traceback.print_exc()
+            sys.exit(1)
         said = ("it compiles CUDA kernels of its own, which only a graphics card can run"
                 if WANTS_KERNELS.search(str(error)) else str(error).splitlines()[0])
         raise Lacking(f"{script} wants more of CUDA than that it means the processor: "

@@ -59,7 +59,7 @@ def modules():
     Signs, the help and the forms of files are longer: only what is taught has a short docstring.
     """
     for path in sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")
-                       if "tests" not in path.parts):
+                       if "tests" not in path.relative_to(ROOT).parts):
         name = path.relative_to(ROOT).with_suffix("").as_posix()
         yield (name, path.read_text(encoding="utf-8"),
                TITLE_LINES if name.startswith(IN_REFERENCE) and path.stem != "__init__" else LINES)

@@ -54,9 +54,6 @@ def test_a_smooth_union_is_a_mix_of_both():
         h = np.clip(0.5 + 0.5 * (b - a) / k, 0, 1)
         np.testing.assert_allclose(implicit_surfaces.smooth_union(a, b, k),
                                    b + h * (a - b) - k * h * (1 - h))
-        gradcheck(implicit_surfaces.smooth_union, implicit_surfaces.smooth_union_backward,
-                  (a, b, k), differentiable=[0, 1], decisions=lambda a, b, k: np.abs(a - b) < k,
-                  name="smooth_union")
 
 
 def test_what_is_no_shape_is_told_in_one_sentence():

@@ -42,20 +42,39 @@ def bits(pictures):
     return [picture.tobytes() for picture in pictures]
 
 
+def heap(seed, least_w, turn):
+    """80 faces, for odd seeds with vertices on pixel centres and corners, and upon each other:
+    wound alike, or the other way round if turn is -1.
+    """
+    rng = np.random.default_rng(seed)
+    clip = rng.uniform([-2, -2, -1.5, least_w], [2, 2, 1.5, 2], (60, 4))
+    faces = rng.integers(0, 60, (80, 3))
+    if seed % 2:
+        clip = np.round(clip * 8) / 8
+        clip[:, 3] = 1 if seed < 4 or least_w > 0 else clip[:, 3]
+        faces[40:] = faces[:40, ::turn]
+    return clip, faces, 16, 24
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_whole_meshes_and_the_loop_agree_to_the_bit(seed):
     """A pixel at an edge, a tie in depth or a face at the camera plane goes to another face."""
-    rng = np.random.default_rng(seed)
-    clip = rng.uniform([-2, -2, -1.5, -1], [2, 2, 1.5, 2], (60, 4))
-    faces = rng.integers(0, 60, (80, 3))
-    if seed % 2:  # vertices on pixel centres and corners, faces upon each other
-        clip = np.round(clip * 8) / 8
-        clip[:, 3] = 1 if seed < 4 else clip[:, 3]
-        faces[40:] = faces[:40, ::-1]
+    given = heap(seed, -1, -1)
     with np.errstate(all="ignore"):
-        loop = half_plane_loop(clip, faces, 16, 24)
+        loop = half_plane_loop(*given)
     assert (loop[0] >= 0).sum() > 100
-    assert bits(scanline.rasterize(clip, faces, 16, 24)) == bits(loop)
+    assert bits(scanline.rasterize(*given)) == bits(loop)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_it_draws_what_lab_2_draws(seed):
+    """A sample on an edge, a tie or a clockwise face goes to another face; another depth."""
+    given = heap(seed, 0.3, 1)
+    with np.errstate(all="ignore"):
+        face_index, depth = rasterization.rasterize.written(*given)
+    by_rows = scanline.rasterize(*given)
+    np.testing.assert_array_equal(by_rows[0], face_index)
+    np.testing.assert_allclose(by_rows[1], depth, rtol=0, atol=1e-9)
 
 
 def tips(rng, w):
@@ -194,23 +213,6 @@ def test_memory_does_not_grow_with_overdraw():
 
 
 # --- what lab 2 asks of its own rasterizer -----------------------------------------------------
-
-@pytest.mark.parametrize("seed", range(6))
-def test_it_draws_what_lab_2_draws(seed):
-    """A sample on an edge, a tie or a clockwise face goes to another face; another depth."""
-    rng = np.random.default_rng(seed)
-    clip = rng.uniform([-2, -2, -1.5, 0.3], [2, 2, 1.5, 2], (60, 4))
-    faces = rng.integers(0, 60, (80, 3))
-    if seed % 2:  # vertices on pixel centres and corners, faces upon each other
-        clip = np.round(clip * 8) / 8
-        clip[:, 3] = 1
-        faces[40:] = faces[:40]
-    with np.errstate(all="ignore"):
-        face_index, depth = rasterization.rasterize.written(clip, faces, 16, 24)
-    by_rows = scanline.rasterize(clip, faces, 16, 24)
-    np.testing.assert_array_equal(by_rows[0], face_index)
-    np.testing.assert_allclose(by_rows[1], depth, rtol=0, atol=1e-9)
-
 
 @pytest.mark.parametrize("rasterize", [half_plane_loop, scanline.rasterize])
 def test_the_near_and_the_far_plane_are_part_of_the_picture(rasterize):

@@ -142,28 +142,29 @@ def test_an_exercise_that_is_wrong_is_named_at_the_start(tmp_path):
     assert "course: of what it may call, 8.11 failing, 8.6 not written, 8.7 not writt" in printed
 
 
-def installed(folder):
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
     """The folder that the package alone is installed into."""
+    folder = tmp_path_factory.mktemp("installed")
     pytest.importorskip("setuptools", minversion="77", reason="the package's build needs it")
     install = sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation"
-    subprocess.run([*install, "--target", folder / "site", ROOT / "apps" / "bridge"], check=True)
-    return folder / "site"
+    subprocess.run([*install, "--target", folder, ROOT / "apps" / "bridge"], check=True)
+    return folder
 
 
-def test_installed_its_command_runs_programs_and_says_what_they_lack(tmp_path):
+def test_installed_its_command_runs_programs_and_says_what_they_lack(site, tmp_path):
     """It needs what only a clone has, or ends in a traceback."""
-    start = "-c", COMMAND, installed(tmp_path)
+    start = "-c", COMMAND, site
     status, said = run(tmp_path, WHOLE, "--strict", start=start)
     assert (status, "', '--impl', 'its own'] 42 12" in said) == (3, True), said
     status, said = run(tmp_path, "import tinycudann", start=start)
     assert status == 1 and "\nrasterization-bridge: program.py needs the package tinycu" in said
 
 
-def test_installed_it_is_found_without_the_course_but_after_a_real_one(tmp_path):
+def test_installed_it_is_found_without_the_course_but_after_a_real_one(site, tmp_path):
     """A module is missing in the package, a spawned worker does not find it, or it hides the real
     nvdiffrast.
     """
-    site = installed(tmp_path)
     (tmp_path / "use.py").write_text(INSTALLED)
     use = sys.executable, "use.py", site
     assert subprocess.check_output(use, cwd=tmp_path, text=True).strip() == "12 [12]"
