@@ -28,7 +28,7 @@ assert known.cuda() is known and not torch.ones(3, requires_grad=True).cuda().is
 assert torch.zeros(2).cuda().requires_grad_().to(device).is_leaf
 assert torch.nn.Linear(2, 3, device="cuda").cuda().weight.is_leaf
 start, end = torch.cuda.Event(enable_timing=True), torch.cuda.Event(enable_timing=True)
-start.record(), end.record(), torch.cuda.synchronize()
+start.record(), torch.optim.Adam([known]).step(), end.record(), torch.cuda.synchronize()
 assert start.elapsed_time(end) >= 0
 torch.save(there, "there.pt")
 for place in "cuda", device, "cuda:0", torch.device("cuda"), {"cpu": "cuda:0"}, None:
