@@ -94,8 +94,8 @@ def needs_named(script):
         raise Lacking(f"{script} needs the package {error.name}, which is not installed beside "
                       f"{sys.executable}; if it works without CUDA, install it there") from error
     except (AssertionError, OSError, RuntimeError) as error:
-        if not WANTS_MORE.search(str(error)):  # of its own: no OSError of the command line
-            traceback.print_exc()
+        if not WANTS_MORE.search(str(error)):
+            traceback.print_exc()  # raised, an OSError would be taken for the course's own
             sys.exit(1)
         said = ("it compiles CUDA kernels of its own, which only a graphics card can run"
                 if WANTS_KERNELS.search(str(error)) else str(error).splitlines()[0])
