@@ -1,10 +1,10 @@
 """The course's own commands, beside those of labkit."""
+import argparse
 import os
 import signal
 import subprocess
 import sys
 
-from apps.bridge.command import OPTIONS
 from labkit.cli import main  # noqa: F401  __main__.py starts it, with the commands below
 from labkit.commands import LOOK, WORK, command, option, whole_number
 from labkit.places import ROOT
@@ -54,7 +54,15 @@ def reconstruct(asked):
     return command.run(asked.folder, asked.size, asked.impl)
 
 
-@command(LOOK, "run SCRIPT.py [ARGS]", WORKS, *OPTIONS)
+@command(
+    LOOK, "run SCRIPT.py [ARGS]",
+    WORKS,
+    option("-m", action="store_true", dest="is_module",
+           help="SCRIPT.py is the name of a module, as in python -m"),
+    option("--strict", action="store_true",
+           help="refuse what a graphics card refuses: float64, and tensors that were not moved"),
+    option("script", metavar="SCRIPT.py", help="the program"),
+    option("args", nargs=argparse.REMAINDER, metavar="ARGS", help="and its own arguments"))
 def run(asked):
     """Run a program that uses nvdiffrast or neural_renderer, unchanged."""
     from apps.bridge import program

@@ -3,24 +3,17 @@ import argparse
 
 from course.given.whose import Lacking
 
-OPTIONS = (
-    (("-m",), {"action": "store_true", "dest": "is_module",
-               "help": "SCRIPT.py is the name of a module, as in python -m"}),
-    (("--strict",), {
-        "action": "store_true",
-        "help": "refuse what a graphics card refuses: float64, and tensors that were not moved"}),
-    (("script",), {"metavar": "SCRIPT.py", "help": "the program"}),
-    (("args",), {"nargs": argparse.REMAINDER, "metavar": "ARGS", "help": "and its own arguments"}))
-
 
 def main():
     """The command line -> its exit status, or the sentence that says what the program lacks."""
     parser = argparse.ArgumentParser(description=__doc__)
-    for names, settings in OPTIONS:
-        parser.add_argument(*names, **settings)
+    parser.add_argument("-m", action="store_true", help="SCRIPT.py names a module, as in python -m")
+    parser.add_argument("--strict", action="store_true", help="refuse what a graphics card refuses")
+    parser.add_argument("script", metavar="SCRIPT.py", help="the program")
+    parser.add_argument("args", nargs=argparse.REMAINDER, help="and its own arguments")
     asked = parser.parse_args()
     try:
         from . import program
-        return program.run(asked.script, asked.args, None, asked.is_module, asked.strict)
+        return program.run(asked.script, asked.args, None, asked.m, asked.strict)
     except Lacking as error:
         return f"rasterization-bridge: {error}"

@@ -61,13 +61,11 @@ class Renderer(torch.nn.Module):
 
     def forward(self, vertices, faces, textures=None, mode=None, *camera, **named):
         """What `render` returns, or the picture of mode rgb, silhouettes or depth."""
-        if mode is None:
-            return self.render(vertices, faces, textures, *camera, **named)
-        if mode == "rgb":
-            return self.render_rgb(vertices, faces, textures, *camera, **named)
-        if mode in ("silhouettes", "depth"):
-            return getattr(self, f"render_{mode}")(vertices, faces, *camera, **named)
-        raise ValueError(f"mode must be None, rgb, silhouettes or depth, not {mode}")
+        if mode not in (None, "rgb", "silhouettes", "depth"):
+            raise ValueError(f"mode must be None, rgb, silhouettes or depth, not {mode}")
+        draw = getattr(self, f"render_{mode}") if mode else self.render
+        painted = (textures,) if mode in (None, "rgb") else ()
+        return draw(vertices, faces, *painted, *camera, **named)
 
     def render(self, vertices, faces, textures, *camera, **named):
         """rgb (N, 3, H, W), depth (N, H, W), alpha (N, H, W)."""
