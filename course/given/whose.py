@@ -1,7 +1,6 @@
 """Whose code does the work: the reference's, or a student's own in labs/."""
 import contextlib
-import importlib.util
-from pathlib import Path
+import importlib
 
 from labkit import places
 from labkit.contract import UNFINISHED
@@ -62,17 +61,3 @@ def exercises_named():
             raise
         raise Lacking(f"exercise {match[1]}, {match[2]}, is not written yet; "
                       f"python3 -m course check {match[1]} shows where its question is") from None
-
-
-def wrong_in_labs(numbers):
-    """Those of these exercises in labs/ that are not written or fail a check, and which of both:
-    ["1.9 failing"].
-    """
-    from labkit import exercises, verdicts  # and so pytest
-    from labkit.checks import runner
-    labs, _ = exercises.asked_for(None)
-    code, = importlib.util.find_spec("labs").submodule_search_locations
-    checks, _ = runner.run_checks(labs, numbers - verdicts.closed_extras(labs, Path(code)), code, 0)
-    words = {"not started": "not written", "failed": "failing"}
-    return list(dict.fromkeys(f"{check.exercise} {words[check.verdict]}" for check in checks
-                              if check.verdict in words and not check.fine_print))
